@@ -1,0 +1,15 @@
+# Writes a C++ source that holds the named text files as string literals.
+# cmake -DOUTPUT=... -DNAMESPACE=... -DFILES="a.csv;b.csv" -P embed.cmake
+set(entries "")
+foreach(file IN LISTS FILES)
+  get_filename_component(name "${file}" NAME)
+  file(READ "${file}" text)
+  string(APPEND entries "    {\"${name}\", R\"embedded(${text})embedded\"},\n")
+endforeach()
+file(WRITE "${OUTPUT}.new"
+  "#include \"core/embedded_file.hpp\"\n\n"
+  "namespace ${NAMESPACE} {\n"
+  "extern const skinfit::EmbeddedFile embedded_files[] = {\n${entries}};\n"
+  "extern const std::size_t embedded_file_count = sizeof(embedded_files) / sizeof(embedded_files[0]);\n"
+  "}  // namespace ${NAMESPACE}\n")
+file(COPY_FILE "${OUTPUT}.new" "${OUTPUT}" ONLY_IF_DIFFERENT)

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace skinfit {
+
+/// What is wrong with something the user gave, in the four parts every message has.
+struct Complaint {
+    std::string where;    ///< file, line, key or option
+    std::string problem;  ///< what is wrong there
+    std::string why;      ///< why that cannot be used
+    std::string remedy;   ///< what to do about it
+};
+
+/// The user's input cannot be used. Caught in `main` only; `what()` reads
+/// `<where>: <problem> (<why>); <what to do>`, on one line.
+class InputError : public std::runtime_error {
+public:
+    explicit InputError(const Complaint& complaint)
+        : std::runtime_error(complaint.where + ": " + complaint.problem + " (" + complaint.why + "); " +
+                             complaint.remedy) {}
+};
+
+}  // namespace skinfit

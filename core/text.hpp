@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace skinfit {
+
+/// `text` without white space at its ends.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// The lines of `text`; LF, CRLF and CR all end a line.
+[[nodiscard]] std::vector<std::string_view> split_lines(std::string_view text);
+
+/// The fields of `text` between the characters `separator`, trimmed; n separators give n + 1 fields.
+[[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
+
+/// The whole of `text` as a number in C notation with an optional leading plus, or nothing when it is not one.
+[[nodiscard]] std::optional<double> parse_number(std::string_view text);
+
+/// The whole of `text` as a non-negative integer; `2e6` and `100000` are both good, `1.5` is not.
+[[nodiscard]] std::optional<std::uint64_t> parse_count(std::string_view text);
+
+/// The name of `names` with the least edit distance to `name`; `names` must not be empty.
+[[nodiscard]] std::string_view nearest_name(std::string_view name, std::span<const std::string_view> names);
+
+}  // namespace skinfit

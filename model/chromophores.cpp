@@ -1,0 +1,133 @@
+#include "model/chromophores.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "model/table.hpp"
+
+namespace skinfit {
+namespace {
+
+// [KA04, Eqs. 6-12]
+constexpr double hemoglobin_g_per_mol = 66500;
+constexpr double bilirubin_g_per_mol = 585;
+constexpr double carotene_g_per_mol = 537;
+
+/// [JACQUES98]; the paper names a baseline without a formula, the authors' code uses this one. (open in [KA04])
+double baseline_per_cm(double wavelength_nm) { return 0.244 + 85.3 * std::exp(-(wavelength_nm - 154.0) / 66.2); }
+
+double hemoglobin_per_cm(const Skin& skin, const Extinction& extinction) {
+    // [KA04, Eqs. 11, 12]
+    return skin.hemoglobin_g_per_l * (extinction.oxyhemoglobin * skin.oxygen_saturation +
+                                      extinction.deoxyhemoglobin * (1.0 - skin.oxygen_saturation));
+}
+
+double blood_per_cm(const Skin& skin, const Extinction& extinction) {
+    return hemoglobin_per_cm(skin, extinction) + extinction.carotene * skin.dermis_carotene_g_per_l +
+           extinction.bilirubin * skin.bilirubin_g_per_l;
+}
+
+double melanosome_per_cm(const Skin& skin, const Extinction& extinction) {
+    return extinction.eumelanin * skin.eumelanin_g_per_l + extinction.pheomelanin * skin.pheomelanin_g_per_l;
+}
+
+double epidermis_ground_per_cm(const Skin& skin, const Extinction& extinction) {
+    return extinction.baseline_per_cm + extinction.carotene * skin.epidermis_carotene_g_per_l;
+}
+
+/// The derivative of each layer's absorption coefficient by `parameter`, per cm per unit of the parameter.
+PerLayer<double> absorption_derivative(const Skin& skin, const Extinction& extinction, Parameter parameter) {
+    const auto epidermal = [](double value) { return PerLayer<double>{0, value, 0, 0}; };
+    const auto in_blood = [&skin](double value) {
+        return PerLayer<double>{0, 0, value * skin.papillary_blood_fraction, value * skin.reticular_blood_fraction};
+    };
+    switch (parameter) {
+        case Parameter::melanosome_fraction:
+            return epidermal(melanosome_per_cm(skin, extinction) - epidermis_ground_per_cm(skin, extinction));
+        case Parameter::eumelanin_g_per_l: return epidermal(extinction.eumelanin * skin.melanosome_fraction);
+        case Parameter::pheomelanin_g_per_l: return epidermal(extinction.pheomelanin * skin.melanosome_fraction);
+        case Parameter::papillary_blood_fraction:
+            return {0, 0, blood_per_cm(skin, extinction) - extinction.baseline_per_cm, 0};
+        case Parameter::reticular_blood_fraction:
+            return {0, 0, 0, blood_per_cm(skin, extinction) - extinction.baseline_per_cm};
+        case Parameter::oxygen_saturation:
+            return in_blood(skin.hemoglobin_g_per_l * (extinction.oxyhemoglobin - extinction.deoxyhemoglobin));
+        case Parameter::hemoglobin_g_per_l:
+            return in_blood(extinction.oxyhemoglobin * skin.oxygen_saturation +
+                            extinction.deoxyhemoglobin * (1.0 - skin.oxygen_saturation));
+        case Parameter::bilirubin_g_per_l: return in_blood(extinction.bilirubin);
+        case Parameter::stratum_corneum_carotene_g_per_l: return {extinction.carotene, 0, 0, 0};
+        case Parameter::epidermis_carotene_g_per_l:
+            return epidermal(extinction.carotene * (1.0 - skin.melanosome_fraction));
+        case Parameter::dermis_carotene_g_per_l: return in_blood(extinction.carotene);
+        default: return {};
+    }
+}
+
+}  // namespace
+
+Extinction Extinction::at(double wavelength_nm, Edition edition) {
+    static const Curve eumelanin(embedded_table("eumelanin"), "eumelanin");
+    static const Curve pheomelanin(embedded_table("pheomelanin"), "pheomelanin");
+    static const Curve oxyhemoglobin(embedded_table("hemoglobin"), "oxyhemoglobin");
+    static const Curve deoxyhemoglobin(embedded_table("hemoglobin"), "deoxyhemoglobin");
+    static const Curve bilirubin(embedded_table("bilirubin"), "bilirubin");
+    static const Curve carotene(embedded_table("beta_carotene"), "beta_carotene");
+    const double decadic = edition == Edition::revised ? std::numbers::ln10 : 1.0;
+    return {.baseline_per_cm = skinfit::baseline_per_cm(wavelength_nm),
+            .eumelanin = eumelanin(wavelength_nm),
+            .pheomelanin = pheomelanin(wavelength_nm),
+            .oxyhemoglobin = decadic * oxyhemoglobin(wavelength_nm) / hemoglobin_g_per_mol,
+            .deoxyhemoglobin = decadic * deoxyhemoglobin(wavelength_nm) / hemoglobin_g_per_mol,
+            .bilirubin = decadic * bilirubin(wavelength_nm) / bilirubin_g_per_mol,
+            .carotene = decadic * carotene(wavelength_nm) / carotene_g_per_mol};
+}
+
+WavelengthRange modelled_wavelengths() {
+    WavelengthRange range{.lowest_nm = 0.0, .highest_nm = 1e9};
+    for (const char* name : {"eumelanin", "pheomelanin", "hemoglobin", "bilirubin", "beta_carotene"}) {
+        const Table& table = embedded_table(name);
+        range.lowest_nm = std::max(range.lowest_nm, table.columns[0].front());
+        if (table.above == OutsideRange::error) {
+            range.highest_nm = std::min(range.highest_nm, table.columns[0].back());
+        }
+    }
+    return range;
+}
+
+PerLayer<double> absorption_per_cm(const Skin& skin, const Extinction& extinction) {
+    const double baseline = extinction.baseline_per_cm;
+    const double blood = blood_per_cm(skin, extinction);
+    return {
+        baseline + extinction.carotene * skin.stratum_corneum_carotene_g_per_l,  // [KA04, Eq. 6]
+        melanosome_per_cm(skin, extinction) * skin.melanosome_fraction +
+            epidermis_ground_per_cm(skin, extinction) * (1.0 - skin.melanosome_fraction),  // [KA04, Eqs. 7-9]
+        blood * skin.papillary_blood_fraction + baseline * (1.0 - skin.papillary_blood_fraction),  // [KA04, Eq. 10]
+        blood * skin.reticular_blood_fraction + baseline * (1.0 - skin.reticular_blood_fraction),  // [KA04, Eq. 10]
+    };
+}
+
+PerLayer<double> optical_depth(const Skin& skin, const Extinction& extinction) {
+    PerLayer<double> depth = absorption_per_cm(skin, extinction);
+    const PerLayer<double> thickness = thickness_cm(skin);
+    for (std::size_t layer = 0; layer < layer_count; ++layer) depth[layer] *= thickness[layer];
+    return depth;
+}
+
+PerLayer<double> optical_depth_derivative(const Skin& skin, const Extinction& extinction, Parameter parameter) {
+    const PerLayer<double> absorption = absorption_per_cm(skin, extinction);
+    switch (parameter) {
+        case Parameter::stratum_corneum_thickness_cm: return {absorption[0], 0, 0, 0};
+        case Parameter::epidermis_thickness_cm: return {0, absorption[1], 0, 0};
+        case Parameter::papillary_dermis_thickness_cm: return {0, 0, absorption[2], 0};
+        case Parameter::reticular_dermis_thickness_cm: return {0, 0, 0, absorption[3]};
+        default: break;
+    }
+    PerLayer<double> derivative = absorption_derivative(skin, extinction, parameter);
+    const PerLayer<double> thickness = thickness_cm(skin);
+    for (std::size_t layer = 0; layer < layer_count; ++layer) derivative[layer] *= thickness[layer];
+    return derivative;
+}
+
+}  // namespace skinfit

@@ -1,0 +1,148 @@
+#include "model/path_ensemble.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace skinfit {
+namespace {
+
+/// The path lengths of one batch at one wavelength, per side, one row of layers per path.
+using BatchPaths = std::array<std::vector<PerLayer<float>>, side_count>;
+
+struct RayRange {
+    std::uint64_t begin;
+    std::uint64_t end;
+};
+
+RayRange rays_of_batch(std::uint64_t rays, std::size_t batch) {
+    return {rays * batch / PathEnsemble::batch_count, rays * (batch + 1) / PathEnsemble::batch_count};
+}
+
+BatchPaths trace_batch(const LayerStack& stack, double refracted_cosine, const RayRange& range, std::uint64_t seed) {
+    BatchPaths paths;
+    for (std::uint64_t ray = range.begin; ray != range.end; ++ray) {
+        PerLayer<double> lengths{};
+        const Exit exit = RandomWalk(stack, RandomRay(seed, ray))
+                              .below_surface(refracted_cosine, [&lengths](int layer, double cosine, double) {
+                                  lengths[static_cast<std::size_t>(layer)] += 1.0 / cosine;
+                                  return true;
+                              });
+        const Side side = exit == Exit::reflected ? Side::top : Side::bottom;
+        PerLayer<float> row{};
+        std::ranges::transform(lengths, row.begin(), [](double length) { return static_cast<float>(length); });
+        paths[static_cast<std::size_t>(side)].push_back(row);
+    }
+    return paths;
+}
+
+/// Appends one side of all batches to `lengths`, layer by layer.
+PathEnsemble::Segment append(const std::vector<BatchPaths>& batches, std::size_t side, std::vector<float>& lengths) {
+    PathEnsemble::Segment segment{.first_float = lengths.size(), .batch_begins = {}};
+    for (std::size_t batch = 0; batch < batches.size(); ++batch) {
+        segment.batch_begins[batch + 1] = segment.batch_begins[batch] + batches[batch][side].size();
+    }
+    for (std::size_t layer = 0; layer < layer_count; ++layer) {
+        for (const BatchPaths& batch : batches) {
+            for (const PerLayer<float>& row : batch[side]) lengths.push_back(row[layer]);
+        }
+    }
+    return segment;
+}
+
+}  // namespace
+
+PathEnsemble::PathEnsemble(Parts parts)
+    : surface_share_(parts.surface_share),
+      rays_(parts.rays),
+      segments_(std::move(parts.segments)),
+      lengths_(parts.lengths),
+      owner_(std::move(parts.owner)) {}
+
+PathEnsemble PathEnsemble::trace(const Sample& sample, const std::vector<double>& wavelengths_nm,
+                                 const WalkOptions& options) {
+    assert(options.rays >= batch_count);
+    const auto lengths = std::make_shared<std::vector<float>>();
+    lengths->reserve(wavelengths_nm.size() * options.rays * layer_count);
+    const FresnelInterface surface(1.0, sample.skin.stratum_corneum_refractive_index);
+    const double incidence_cosine = std::cos(options.incidence_rad);
+    const double refracted_cosine = surface.transmitted_cosine(incidence_cosine);
+    std::vector<Segments> segments;
+    for (const double wavelength_nm : wavelengths_nm) {
+        const LayerStack stack = layer_stack(sample, wavelength_nm);
+        std::vector<BatchPaths> batches(batch_count);
+        tbb::parallel_for(std::size_t{0}, batch_count, [&](std::size_t batch) {
+            batches[batch] = trace_batch(stack, refracted_cosine, rays_of_batch(options.rays, batch), options.seed);
+        });
+        segments.push_back({append(batches, 0, *lengths), append(batches, 1, *lengths)});
+    }
+    return PathEnsemble({.surface_share = surface.reflectance(incidence_cosine),
+                         .rays = options.rays,
+                         .segments = std::move(segments),
+                         .lengths = *lengths,
+                         .owner = lengths});
+}
+
+PathSpan PathEnsemble::paths(std::size_t wavelength, Side side, std::size_t batch) const {
+    const Segment& segment = segments_[wavelength][static_cast<std::size_t>(side)];
+    const std::uint64_t begin = segment.batch_begins[batch];
+    return {.first = lengths_.data() + segment.first_float + begin,
+            .stride = segment.batch_begins.back(),
+            .count = segment.batch_begins[batch + 1] - begin};
+}
+
+std::uint64_t PathEnsemble::batch_rays(std::size_t batch) const {
+    const RayRange range = rays_of_batch(rays_, batch);
+    return range.end - range.begin;
+}
+
+std::vector<EnsembleResponse> PathEnsemble::respond(std::span<const PerLayer<double>> optical_depths) const {
+    assert(optical_depths.size() == wavelength_count());
+    // The order of summation is fixed: within a batch, then batch by batch.
+    std::vector<std::array<std::array<PathSums, batch_count>, side_count>> sums(wavelength_count());
+    tbb::parallel_for(std::size_t{0}, wavelength_count() * batch_count, [&](std::size_t unit) {
+        const std::size_t wavelength = unit / batch_count;
+        const std::size_t batch = unit % batch_count;
+        for (std::size_t side = 0; side < side_count; ++side) {
+            sums[wavelength][side][batch] =
+                sum_paths(paths(wavelength, static_cast<Side>(side), batch), optical_depths[wavelength]);
+        }
+    });
+    const double entering = 1.0 - surface_share_;
+    const auto count = static_cast<double>(rays_);
+    std::vector<EnsembleResponse> responses(wavelength_count());
+    for (std::size_t wavelength = 0; wavelength < wavelength_count(); ++wavelength) {
+        for (std::size_t side = 0; side < side_count; ++side) {
+            PathSums total;
+            for (const PathSums& batch : sums[wavelength][side]) total += batch;
+            Escape& escape = responses[wavelength].side[side];
+            const double mean = total.weight / count;
+            escape.share = entering * mean;
+            escape.standard_error =
+                entering * std::sqrt(std::max(0.0, total.weight_squared / count - mean * mean) / (count - 1.0));
+            for (std::size_t layer = 0; layer < layer_count; ++layer) {
+                escape.by_optical_depth[layer] = -entering * total.weight_length[layer] / count;
+            }
+        }
+    }
+    return responses;
+}
+
+std::vector<std::array<double, PathEnsemble::batch_count>> PathEnsemble::batch_shares(
+    std::span<const PerLayer<double>> optical_depths, Side side) const {
+    assert(optical_depths.size() == wavelength_count());
+    std::vector<std::array<double, batch_count>> shares(wavelength_count());
+    for (std::size_t wavelength = 0; wavelength < wavelength_count(); ++wavelength) {
+        for (std::size_t batch = 0; batch < batch_count; ++batch) {
+            const PathSums sums = sum_paths(paths(wavelength, side, batch), optical_depths[wavelength]);
+            shares[wavelength][batch] =
+                (1.0 - surface_share_) * sums.weight / static_cast<double>(batch_rays(batch));
+        }
+    }
+    return shares;
+}
+
+}  // namespace skinfit

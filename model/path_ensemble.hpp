@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "model/path_sums.hpp"
+#include "model/random_walk.hpp"
+#include "model/skin.hpp"
+
+namespace skinfit {
+
+/// The two ways out of a sample.
+enum class Side : std::size_t { top, bottom };
+inline constexpr std::size_t side_count = 2;
+
+/// The share of the incident light that leaves through one side, and how it answers to absorption.
+struct Escape {
+    double share = 0.0;
+    double standard_error = 0.0;             ///< of the Monte Carlo estimate
+    PerLayer<double> by_optical_depth{};     ///< derivative of `share` by each layer's optical depth
+};
+
+/// Escape at one wavelength.
+struct EnsembleResponse {
+    std::array<Escape, side_count> side;
+
+    [[nodiscard]] const Escape& operator[](Side which) const { return side[static_cast<std::size_t>(which)]; }
+};
+
+/// Recorded walks. Absorption never steers a ray, so rays traced once without it give the expected reflectance and
+/// transmittance for any pigments, smoothly and with exact derivatives:
+///
+///     share = (1 - F) / N  sum_i exp(-sum_l depth_l S_il),   S_il = sum over path i's runs in layer l of 1/cosine
+///
+/// with F the surface's Fresnel reflectance. Ray i here is ray i of `random_walk` given that it enters the skin.
+/// Copies share the recording, which never changes.
+class PathEnsemble {
+public:
+    /// Rays are recorded in this many batches, whose scatter shows the Monte Carlo error of anything computed here.
+    static constexpr std::size_t batch_count = 32;
+
+    /// Traces `options.rays` rays that enter the sample, per wavelength. The same bits for any number of threads.
+    /// `options.rays` must be at least `batch_count`.
+    [[nodiscard]] static PathEnsemble trace(const Sample& sample, const std::vector<double>& wavelengths_nm,
+                                            const WalkOptions& options);
+
+    /// The share of the light that the surface reflects.
+    [[nodiscard]] double surface_share() const { return surface_share_; }
+    [[nodiscard]] std::size_t wavelength_count() const { return segments_.size(); }
+    [[nodiscard]] std::uint64_t rays() const { return rays_; }
+
+    /// The response at each wavelength to the layers' optical depths there.
+    [[nodiscard]] std::vector<EnsembleResponse> respond(std::span<const PerLayer<double>> optical_depths) const;
+
+    /// `Escape::share` of one side as each batch alone estimates it: [wavelength][batch].
+    [[nodiscard]] std::vector<std::array<double, batch_count>> batch_shares(
+        std::span<const PerLayer<double>> optical_depths, Side side) const;
+
+    /// The paths of one wavelength that leave through one side, in the order of their rays.
+    struct Segment {
+        std::uint64_t first_float;                                ///< where layer 0 begins; layer l is l * count later
+        std::array<std::uint64_t, batch_count + 1> batch_begins;  ///< path numbers; the last is the count
+    };
+    using Segments = std::array<Segment, side_count>;  ///< of one wavelength
+
+    /// The recording as plain data, for storage.
+    struct Recording {
+        std::span<const Segments> segments;
+        std::span<const float> lengths;
+    };
+    [[nodiscard]] Recording recording() const { return {segments_, lengths_}; }
+
+    /// An ensemble from stored parts; `lengths` lives as long as `owner`.
+    struct Parts {
+        double surface_share;
+        std::uint64_t rays;
+        std::vector<Segments> segments;
+        std::span<const float> lengths;
+        std::shared_ptr<const void> owner;
+    };
+    explicit PathEnsemble(Parts parts);
+
+private:
+    [[nodiscard]] PathSpan paths(std::size_t wavelength, Side side, std::size_t batch) const;
+    [[nodiscard]] std::uint64_t batch_rays(std::size_t batch) const;
+
+    double surface_share_;
+    std::uint64_t rays_;
+    std::vector<Segments> segments_;
+    std::span<const float> lengths_;
+    std::shared_ptr<const void> owner_;
+};
+
+}  // namespace skinfit

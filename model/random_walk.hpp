@@ -1,0 +1,162 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "model/fresnel.hpp"
+#include "model/layer_stack.hpp"
+#include "model/random.hpp"
+
+namespace skinfit {
+
+/// How a ray ends.
+enum class Exit { surface, reflected, transmitted, absorbed };
+
+/// One ray's walk below the skin's surface, [KA04, Sec. 3]. The polar cosine alone decides where it goes: azimuths
+/// are uniform and nothing in the layers depends on them.
+///
+/// `on_run(layer, cosine, xi)` is called for each completed run with the layer's number, the cosine to the normal and
+/// the uniform number of the run's absorption test; the ray ends as absorbed where it returns false.
+class RandomWalk {
+public:
+    RandomWalk(const LayerStack& stack, const RandomRay& random) : stack_(&stack), random_(random) {}
+
+    /// Whether a ray of incidence cosine `cosine` is reflected at the surface, and where it goes if not.
+    struct FirstHit {
+        bool reflected;
+        double refracted_cosine;
+    };
+    [[nodiscard]] FirstHit first_hit(double cosine) const {
+        const FresnelInterface& surface = stack_->between(-1, 0);
+        return {.reflected = random_.uniforms(0, 0)[0] < surface.reflectance(cosine),
+                .refracted_cosine = surface.transmitted_cosine(cosine)};
+    }
+
+    /// Follows the ray that has entered the topmost layer with `cosine` until it leaves or is absorbed.
+    template <class OnRun>
+    [[nodiscard]] Exit below_surface(double cosine, OnRun&& on_run) {
+        layer_ = 0;
+        step_ = down;
+        bounced_ = false;
+        cosine_ = cosine;
+        FourUniforms next_xi = random_.uniforms(1, 0);
+        for (std::uint32_t event = 1;; ++event) {
+            const FourUniforms xi = next_xi;
+            next_xi = random_.uniforms(event + 1, 0);  // drawn early: its latency hides behind this event
+            const bool completed = layer_ < 2 ? scatter_forward(event, xi) : scatter_in_dermis(event, xi);
+            if (completed && !on_run(layer_, cosine_, xi[3])) return Exit::absorbed;
+            cross_interface(xi[2]);
+            if (layer_ < 0) return Exit::reflected;
+            if (layer_ == stack_->layers) return Exit::transmitted;
+        }
+    }
+
+private:
+    static constexpr int down = 1;
+
+    /// Stratum corneum and epidermis: a direction that has turned back is drawn again. (open in [KA04])
+    bool scatter_forward(std::uint32_t event, const FourUniforms& xi) {
+        double next = forward_cosine(xi[0], xi[1]);
+        for (std::uint32_t attempt = 1; next <= 0.0; ++attempt) {
+            const FourUniforms again = random_.uniforms(event, attempt);
+            next = forward_cosine(again[0], again[1]);
+            if (next <= 0.0) next = forward_cosine(again[2], again[3]);
+        }
+        cosine_ = next;
+        return true;
+    }
+
+    double forward_cosine(double polar_xi, double azimuth_xi) const {
+        const double polar = stack_->forward[static_cast<std::size_t>(layer_)].polar_angle(polar_xi);
+        return deflected_cosine(cosine_, small_cosine(polar), small_sine(polar), cosine_of_turns(azimuth_xi));
+    }
+
+    /// The dermis: the Rayleigh test where the edition asks for one, else diffuse. Returns false where the ray has
+    /// turned back, which ends the run without an absorption test. (open in [KA04])
+    bool scatter_in_dermis(std::uint32_t event, const FourUniforms& xi) {
+        const bool asks = stack_->edition == Edition::revised ? step_ == down : !bounced_;
+        // [KA04, Eq. 3]
+        const bool rayleigh =
+            asks && xi[0] < 1.0 - std::exp(-stack_->rayleigh_depth[static_cast<std::size_t>(layer_)] / cosine_);
+        if (!rayleigh) {
+            cosine_ = DiffuseScattering::cosine(xi[1]);
+            return true;
+        }
+        const double polar_cosine = rayleigh_cosine(event);
+        const double polar_sine = std::sqrt(1.0 - polar_cosine * polar_cosine);
+        const double next = deflected_cosine(cosine_, polar_cosine, polar_sine, cosine_of_turns(xi[1]));
+        cosine_ = std::abs(next);
+        if (next < 0.0) step_ = -step_;
+        return next >= 0.0;
+    }
+
+    double rayleigh_cosine(std::uint32_t event) const {
+        for (std::uint32_t attempt = 1;; ++attempt) {
+            const FourUniforms xi = random_.uniforms(event, attempt);
+            if (const std::optional<double> cosine = stack_->rayleigh.cosine(xi[0], xi[1])) return *cosine;
+            if (const std::optional<double> cosine = stack_->rayleigh.cosine(xi[2], xi[3])) return *cosine;
+        }
+    }
+
+    /// The next interface in the ray's direction reflects or transmits it. [KA04, Sec. 3.1]
+    void cross_interface(double xi) {
+        const int beyond = layer_ + step_;
+        if (beyond == stack_->layers && stack_->base != Base::Kind::index) {
+            if (stack_->base == Base::Kind::matched) {
+                layer_ = beyond;
+            } else {
+                reflect(beyond);
+            }
+            return;
+        }
+        const FresnelInterface& interface = stack_->between(layer_, beyond);
+        const double transmitted_cosine = interface.transmitted_cosine(cosine_);
+        if (transmitted_cosine == 0.0 || interface.reflects(xi, cosine_, transmitted_cosine)) {
+            reflect(beyond);
+        } else {
+            layer_ = beyond;
+            cosine_ = transmitted_cosine;
+        }
+    }
+
+    void reflect(int beyond) {
+        constexpr int top_of_dermis = 2;  // interface 3 of [KA04], either side
+        bounced_ = bounced_ || layer_ >= top_of_dermis || beyond >= top_of_dermis;
+        step_ = -step_;
+    }
+
+    const LayerStack* stack_;
+    RandomRay random_;
+    int layer_ = 0;  // -1: left through the top; stack.layers: left through the base
+    int step_ = down;  // to the next layer
+    bool bounced_ = false;  // reflected at interface 3, 4 or 5
+    double cosine_ = 1.0;
+};
+
+/// How the rays of one wavelength ended; the counts sum to `rays` exactly.
+struct WalkCounts {
+    std::uint64_t rays = 0;
+    std::uint64_t surface_reflected = 0;
+    std::uint64_t subsurface_reflected = 0;
+    std::uint64_t transmitted = 0;
+    PerLayer<std::uint64_t> absorbed{};
+
+    WalkCounts& operator+=(const WalkCounts& other);
+    bool operator==(const WalkCounts&) const = default;
+};
+
+/// Which rays to follow.
+struct WalkOptions {
+    double incidence_rad = 0.0;  ///< 0 to below pi/2
+    std::uint64_t rays = 100'000;
+    std::uint64_t seed = 1;
+};
+
+/// The analog walk: each ray survives or is absorbed run by run. One result per wavelength of `wavelengths_nm`; the
+/// same for any number of threads. Throws InputError for a wavelength outside the tables.
+[[nodiscard]] std::vector<WalkCounts> random_walk(const Sample& sample, const std::vector<double>& wavelengths_nm,
+                                                  const WalkOptions& options);
+
+}  // namespace skinfit
