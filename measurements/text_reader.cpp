@@ -1,0 +1,1 @@
+#include "measurements/text_reader.hpp"
