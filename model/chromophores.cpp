@@ -15,7 +15,9 @@ constexpr double bilirubin_g_per_mol = 585;
 constexpr double carotene_g_per_mol = 537;
 
 /// [JACQUES98]; the paper names a baseline without a formula, the authors' code uses this one. (open in [KA04])
-double baseline_per_cm(double wavelength_nm) { return 0.244 + 85.3 * std::exp(-(wavelength_nm - 154.0) / 66.2); }
+double baseline_per_cm(double wavelength_nm) {
+    return 0.244 + 85.3 * std::exp(-(wavelength_nm - 154.0) / 66.2);
+}
 
 double hemoglobin_per_cm(const Skin& skin, const Extinction& extinction) {
     // [KA04, Eqs. 11, 12]
@@ -45,8 +47,10 @@ PerLayer<double> absorption_derivative(const Skin& skin, const Extinction& extin
     switch (parameter) {
         case Parameter::melanosome_fraction:
             return epidermal(melanosome_per_cm(skin, extinction) - epidermis_ground_per_cm(skin, extinction));
-        case Parameter::eumelanin_g_per_l: return epidermal(extinction.eumelanin * skin.melanosome_fraction);
-        case Parameter::pheomelanin_g_per_l: return epidermal(extinction.pheomelanin * skin.melanosome_fraction);
+        case Parameter::eumelanin_g_per_l:
+            return epidermal(extinction.eumelanin * skin.melanosome_fraction);
+        case Parameter::pheomelanin_g_per_l:
+            return epidermal(extinction.pheomelanin * skin.melanosome_fraction);
         case Parameter::papillary_blood_fraction:
             return {0, 0, blood_per_cm(skin, extinction) - extinction.baseline_per_cm, 0};
         case Parameter::reticular_blood_fraction:
@@ -56,12 +60,16 @@ PerLayer<double> absorption_derivative(const Skin& skin, const Extinction& extin
         case Parameter::hemoglobin_g_per_l:
             return in_blood(extinction.oxyhemoglobin * skin.oxygen_saturation +
                             extinction.deoxyhemoglobin * (1.0 - skin.oxygen_saturation));
-        case Parameter::bilirubin_g_per_l: return in_blood(extinction.bilirubin);
-        case Parameter::stratum_corneum_carotene_g_per_l: return {extinction.carotene, 0, 0, 0};
+        case Parameter::bilirubin_g_per_l:
+            return in_blood(extinction.bilirubin);
+        case Parameter::stratum_corneum_carotene_g_per_l:
+            return {extinction.carotene, 0, 0, 0};
         case Parameter::epidermis_carotene_g_per_l:
             return epidermal(extinction.carotene * (1.0 - skin.melanosome_fraction));
-        case Parameter::dermis_carotene_g_per_l: return in_blood(extinction.carotene);
-        default: return {};
+        case Parameter::dermis_carotene_g_per_l:
+            return in_blood(extinction.carotene);
+        default:
+            return {};
     }
 }
 
@@ -102,7 +110,7 @@ PerLayer<double> absorption_per_cm(const Skin& skin, const Extinction& extinctio
     return {
         baseline + extinction.carotene * skin.stratum_corneum_carotene_g_per_l,  // [KA04, Eq. 6]
         melanosome_per_cm(skin, extinction) * skin.melanosome_fraction +
-            epidermis_ground_per_cm(skin, extinction) * (1.0 - skin.melanosome_fraction),  // [KA04, Eqs. 7-9]
+            epidermis_ground_per_cm(skin, extinction) * (1.0 - skin.melanosome_fraction),          // [KA04, Eqs. 7-9]
         blood * skin.papillary_blood_fraction + baseline * (1.0 - skin.papillary_blood_fraction),  // [KA04, Eq. 10]
         blood * skin.reticular_blood_fraction + baseline * (1.0 - skin.reticular_blood_fraction),  // [KA04, Eq. 10]
     };
@@ -118,11 +126,16 @@ PerLayer<double> optical_depth(const Skin& skin, const Extinction& extinction) {
 PerLayer<double> optical_depth_derivative(const Skin& skin, const Extinction& extinction, Parameter parameter) {
     const PerLayer<double> absorption = absorption_per_cm(skin, extinction);
     switch (parameter) {
-        case Parameter::stratum_corneum_thickness_cm: return {absorption[0], 0, 0, 0};
-        case Parameter::epidermis_thickness_cm: return {0, absorption[1], 0, 0};
-        case Parameter::papillary_dermis_thickness_cm: return {0, 0, absorption[2], 0};
-        case Parameter::reticular_dermis_thickness_cm: return {0, 0, 0, absorption[3]};
-        default: break;
+        case Parameter::stratum_corneum_thickness_cm:
+            return {absorption[0], 0, 0, 0};
+        case Parameter::epidermis_thickness_cm:
+            return {0, absorption[1], 0, 0};
+        case Parameter::papillary_dermis_thickness_cm:
+            return {0, 0, absorption[2], 0};
+        case Parameter::reticular_dermis_thickness_cm:
+            return {0, 0, 0, absorption[3]};
+        default:
+            break;
     }
     PerLayer<double> derivative = absorption_derivative(skin, extinction, parameter);
     const PerLayer<double> thickness = thickness_cm(skin);

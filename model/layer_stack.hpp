@@ -11,13 +11,13 @@ namespace skinfit {
 /// Everything that steers a ray of one wavelength through a sample. Pigments do not; nor do the thicknesses of
 /// stratum corneum and epidermis.
 struct LayerStack {
-    int layers;                                                ///< 2 or 4
+    int layers;                                                              ///< 2 or 4
     std::array<std::array<FresnelInterface, 2>, layer_count + 1> interface;  ///< top to bottom; from above, from below
-    Base::Kind base;                                           ///< what the lowest interface does
-    Edition edition;                                           ///< which Rayleigh rules hold
-    PerLayer<double> rayleigh_depth;                           ///< at normal passage; dermis only
-    std::array<ForwardScattering, 2> forward;                  ///< stratum corneum, epidermis
-    RayleighScattering rayleigh;                               ///< angles in the dermis
+    Base::Kind base;                                                         ///< what the lowest interface does
+    Edition edition;                                                         ///< which Rayleigh rules hold
+    PerLayer<double> rayleigh_depth;                                         ///< at normal passage; dermis only
+    std::array<ForwardScattering, 2> forward;                                ///< stratum corneum, epidermis
+    RayleighScattering rayleigh;                                             ///< angles in the dermis
 
     /// The interface between neighbouring layers as a ray that goes from one to the other sees it; -1 is the air and
     /// `layers` the base.

@@ -64,9 +64,9 @@ struct ParameterInfo {
     double highest;         ///< largest accepted value
     double lower;           ///< default bounds of a fit
     double upper;
-    bool steers;                ///< changes where rays go, not only how much of them is absorbed
-    std::string_view meaning;   ///< one line for help texts
-    std::string_view source;    ///< of the default and of the bounds
+    bool steers;               ///< changes where rays go, not only how much of them is absorbed
+    std::string_view meaning;  ///< one line for help texts
+    std::string_view source;   ///< of the default and of the bounds
 };
 
 /// All parameters, in the order of `Parameter`.

@@ -138,8 +138,7 @@ std::vector<std::array<double, PathEnsemble::batch_count>> PathEnsemble::batch_s
     for (std::size_t wavelength = 0; wavelength < wavelength_count(); ++wavelength) {
         for (std::size_t batch = 0; batch < batch_count; ++batch) {
             const PathSums sums = sum_paths(paths(wavelength, side, batch), optical_depths[wavelength]);
-            shares[wavelength][batch] =
-                (1.0 - surface_share_) * sums.weight / static_cast<double>(batch_rays(batch));
+            shares[wavelength][batch] = (1.0 - surface_share_) * sums.weight / static_cast<double>(batch_rays(batch));
         }
     }
     return shares;

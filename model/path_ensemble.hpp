@@ -20,8 +20,8 @@ inline constexpr std::size_t side_count = 2;
 /// The share of the incident light that leaves through one side, and how it answers to absorption.
 struct Escape {
     double share = 0.0;
-    double standard_error = 0.0;             ///< of the Monte Carlo estimate
-    PerLayer<double> by_optical_depth{};     ///< derivative of `share` by each layer's optical depth
+    double standard_error = 0.0;          ///< of the Monte Carlo estimate
+    PerLayer<double> by_optical_depth{};  ///< derivative of `share` by each layer's optical depth
 };
 
 /// Escape at one wavelength.

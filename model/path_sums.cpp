@@ -1,7 +1,7 @@
 // Compiled once per instruction set by foreach_target.h, then chosen at run time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/path_sums.cpp"  // NOLINT
-#include <hwy/foreach_target.h>                    // must come before highway.h
+#include <hwy/foreach_target.h>                   // must come before highway.h
 //
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
@@ -36,8 +36,8 @@ std::size_t add_vectors(Doubles doubles, const PathSpan& paths, const PerLayer<d
         const auto length1 = load(1, i);
         const auto length2 = load(2, i);
         const auto length3 = load(3, i);
-        const auto depth = hn::MulAdd(depth0, length0,
-                                      hn::MulAdd(depth1, length1, hn::MulAdd(depth2, length2, hn::Mul(depth3, length3))));
+        const auto depth = hn::MulAdd(
+            depth0, length0, hn::MulAdd(depth1, length1, hn::MulAdd(depth2, length2, hn::Mul(depth3, length3))));
         const auto weight = hn::Exp(doubles, depth);
         weights = hn::Add(weights, weight);
         squares = hn::MulAdd(weight, weight, squares);

@@ -24,9 +24,15 @@ void count_ray(const LayerStack& stack, const PerLayer<double>& optical_depth, c
         return xi < std::exp(-optical_depth[last_layer] / cosine);  // [KA04, Eq. 5]
     });
     switch (exit) {
-        case Exit::reflected: ++counts.subsurface_reflected; break;
-        case Exit::transmitted: ++counts.transmitted; break;
-        default: ++counts.absorbed[last_layer]; break;
+        case Exit::reflected:
+            ++counts.subsurface_reflected;
+            break;
+        case Exit::transmitted:
+            ++counts.transmitted;
+            break;
+        default:
+            ++counts.absorbed[last_layer];
+            break;
     }
 }
 
@@ -47,8 +53,7 @@ std::vector<WalkCounts> random_walk(const Sample& sample, const std::vector<doub
     std::vector<WalkCounts> spectrum;
     for (const double wavelength_nm : wavelengths_nm) {
         const LayerStack stack = layer_stack(sample, wavelength_nm);
-        const PerLayer<double> depth =
-            optical_depth(sample.skin, Extinction::at(wavelength_nm, sample.edition));
+        const PerLayer<double> depth = optical_depth(sample.skin, Extinction::at(wavelength_nm, sample.edition));
         spectrum.push_back(tbb::parallel_reduce(
             tbb::blocked_range<std::uint64_t>(0, options.rays, 1000), WalkCounts{},
             [&](const tbb::blocked_range<std::uint64_t>& range, WalkCounts counts) {

@@ -129,8 +129,8 @@ private:
 
     const LayerStack* stack_;
     RandomRay random_;
-    int layer_ = 0;  // -1: left through the top; stack.layers: left through the base
-    int step_ = down;  // to the next layer
+    int layer_ = 0;         // -1: left through the top; stack.layers: left through the base
+    int step_ = down;       // to the next layer
     bool bounced_ = false;  // reflected at interface 3, 4 or 5
     double cosine_ = 1.0;
 };

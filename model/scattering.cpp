@@ -66,7 +66,9 @@ double ForwardScattering::share_within(double polar_angle) const {
     return share_[segment] + (polar_angle - angle_[segment]) / slope_[segment];
 }
 
-double DiffuseScattering::share_below(double cosine) { return cosine * cosine; }
+double DiffuseScattering::share_below(double cosine) {
+    return cosine * cosine;
+}
 
 double RayleighScattering::share_below(double cosine) const {
     if (edition_ == Edition::revised) return (cosine * cosine * cosine + 3.0 * cosine + 4.0) / 8.0;
@@ -82,8 +84,8 @@ double rayleigh_optical_depth(const RayleighLayer& layer) {
     const double index_ratio = layer.fibre_refractive_index / layer.medium_refractive_index;
     const double contrast = index_ratio * index_ratio - 1.0;
     // [KA04, Eq. 3]
-    const double per_cm = 8.0 * std::pow(pi, 3) * contrast * contrast / (3.0 * fibrils_per_cm3) *
-                          std::pow(wavelength_cm, -4);
+    const double per_cm =
+        8.0 * std::pow(pi, 3) * contrast * contrast / (3.0 * fibrils_per_cm3) * std::pow(wavelength_cm, -4);
     return per_cm * layer.thickness_cm;
 }
 

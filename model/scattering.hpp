@@ -1,8 +1,8 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 
 #include "model/constants.hpp"
@@ -44,9 +44,9 @@ private:
     static constexpr std::size_t angle_count = 14;
     static constexpr std::size_t guide_size = 256;
 
-    std::array<double, angle_count> angle_{};       // rad
-    std::array<double, angle_count> share_{};       // 0 to 1
-    std::array<double, angle_count> slope_{};       // rad per share, of the segment that starts here
+    std::array<double, angle_count> angle_{};        // rad
+    std::array<double, angle_count> share_{};        // 0 to 1
+    std::array<double, angle_count> slope_{};        // rad per share, of the segment that starts here
     std::array<unsigned char, guide_size> guide_{};  // the segment that holds the share i / guide_size
 };
 

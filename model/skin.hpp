@@ -42,7 +42,8 @@ struct Skin {
     double reticular_dermis_refractive_index = 1.38;
     double fibre_refractive_index = 1.5;  ///< of the collagen fibres
     double fibril_radius_nm = 25;         ///< of the collagen fibrils
-    double fold_aspect_ratio = 0.75;      ///< of the surface folds; towards 0 the folds flatten and the surface reflects like a mirror
+    double fold_aspect_ratio =
+        0.75;  ///< of the surface folds; towards 0 the folds flatten and the surface reflects like a mirror
 };
 
 /// The thickness of each layer, cm.

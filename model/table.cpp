@@ -51,7 +51,8 @@ const std::vector<double>& Table::column(std::string_view column) const {
 }
 
 Table parse_table(std::string_view name, std::string_view text) {
-    Table table{.name = std::string(name)};
+    Table table;
+    table.name = name;
     Notes notes;
     for (const std::string_view line : split_lines(text)) {
         if (line.starts_with('#')) {
@@ -100,11 +101,11 @@ double Curve::operator()(double wavelength_nm) const {
     const bool above = wavelength_nm > abscissa.back();
     if ((below && table_->below == OutsideRange::zero) || (above && table_->above == OutsideRange::zero)) return 0.0;
     if (below || above || wavelength_nm != wavelength_nm) {
-        throw InputError({.where = fmt::format("wavelength {} nm", wavelength_nm),
-                          .problem = fmt::format("outside the table {}", table_->name),
-                          .why = fmt::format("measured from {} to {} nm and never extrapolated", abscissa.front(),
-                                             abscissa.back()),
-                          .remedy = "choose wavelengths inside that range"});
+        throw InputError(
+            {.where = fmt::format("wavelength {} nm", wavelength_nm),
+             .problem = fmt::format("outside the table {}", table_->name),
+             .why = fmt::format("measured from {} to {} nm and never extrapolated", abscissa.front(), abscissa.back()),
+             .remedy = "choose wavelengths inside that range"});
     }
     const auto upper = std::upper_bound(abscissa.begin() + 1, abscissa.end() - 1, wavelength_nm);
     const auto i = static_cast<std::size_t>(upper - abscissa.begin());

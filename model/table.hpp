@@ -15,8 +15,8 @@ struct Table {
     std::string quantity;
     std::string unit;
     std::string source;
-    OutsideRange below;
-    OutsideRange above;
+    OutsideRange below = OutsideRange::error;
+    OutsideRange above = OutsideRange::error;
     std::vector<std::string> column_names;     ///< the first is the abscissa
     std::vector<std::vector<double>> columns;  ///< columns[c][row]; the abscissa ascends strictly
 

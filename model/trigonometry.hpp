@@ -31,7 +31,9 @@ template <int terms, int first>
 }  // namespace detail
 
 /// The cosine of an angle of at most 1.2 rad.
-[[nodiscard]] constexpr double small_cosine(double angle) { return detail::alternating_series<7, 0>(angle * angle); }
+[[nodiscard]] constexpr double small_cosine(double angle) {
+    return detail::alternating_series<7, 0>(angle * angle);
+}
 
 /// The sine of an angle of at most 1.2 rad.
 [[nodiscard]] constexpr double small_sine(double angle) {
