@@ -21,7 +21,7 @@ namespace {
                       .remedy = "name a file in a folder that exists, is writable and has space; nothing was written"});
 }
 
-/// Writes all bytes and flushes them to the disk; returns 0 or the errno of what failed.
+/// Writes all bytes; returns 0 or the errno of what failed.
 int write_all(int descriptor, std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
@@ -29,7 +29,32 @@ int write_all(int descriptor, std::string_view bytes) {
         if (written < 0) return errno;
         bytes.remove_prefix(static_cast<std::size_t>(written));
     }
-    return ::fsync(descriptor) == 0 ? 0 : errno;
+    return 0;
+}
+
+enum class Durability { scratch, durable };
+
+/// Writes `parts` to a temporary file next to `path` and renames it.
+void replace_file(const std::filesystem::path& path, std::span<const std::string_view> parts, Durability durability) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) refuse_to_write(path, EISDIR);
+    std::string temporary = path.string() + ".XXXXXX";
+    const int descriptor = ::mkstemp(temporary.data());
+    if (descriptor < 0) refuse_to_write(path, errno);
+    constexpr mode_t ordinary_file = 0666;
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    int failure = ::fchmod(descriptor, ordinary_file & ~mask) == 0 ? 0 : errno;
+    for (const std::string_view part : parts) {
+        if (failure == 0) failure = write_all(descriptor, part);
+    }
+    if (failure == 0 && durability == Durability::durable && ::fsync(descriptor) != 0) failure = errno;
+    if (::close(descriptor) != 0 && failure == 0) failure = errno;
+    if (failure == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) failure = errno;
+    if (failure != 0) {
+        ::unlink(temporary.c_str());
+        refuse_to_write(path, failure);
+    }
 }
 
 /// True for /dev/stdout, pipes and the like, which cannot be replaced by renaming.
@@ -63,30 +88,19 @@ std::string read_file(const std::filesystem::path& path) {
 }
 
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes) {
-    if (is_stream(path)) {
-        const int descriptor = ::open(path.c_str(), O_WRONLY);
-        if (descriptor < 0) refuse_to_write(path, errno);
-        const int failure = write_all(descriptor, bytes);
-        ::close(descriptor);
-        if (failure != 0 && failure != EINVAL && failure != EROFS) refuse_to_write(path, failure);  // no fsync on pipes
+    if (!is_stream(path)) {
+        replace_file(path, {&bytes, 1}, Durability::durable);
         return;
     }
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) refuse_to_write(path, EISDIR);
-    std::string temporary = path.string() + ".XXXXXX";
-    const int descriptor = ::mkstemp(temporary.data());
+    const int descriptor = ::open(path.c_str(), O_WRONLY);
     if (descriptor < 0) refuse_to_write(path, errno);
-    constexpr mode_t ordinary_file = 0666;
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    ::fchmod(descriptor, ordinary_file & ~mask);
     int failure = write_all(descriptor, bytes);
     if (::close(descriptor) != 0 && failure == 0) failure = errno;
-    if (failure == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) failure = errno;
-    if (failure != 0) {
-        ::unlink(temporary.c_str());
-        refuse_to_write(path, failure);
-    }
+    if (failure != 0) refuse_to_write(path, failure);
+}
+
+void write_scratch_file_atomically(const std::filesystem::path& path, std::span<const std::string_view> parts) {
+    replace_file(path, parts, Durability::scratch);
 }
 
 }  // namespace skinfit

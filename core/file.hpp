@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -12,5 +13,9 @@ namespace skinfit {
 /// Replaces the file at `path` by `bytes` in one step: it holds all of the old or all of the new, never a part.
 /// Throws InputError when the folder is missing, read-only or full; then nothing has changed.
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
+
+/// The same for bytes in several parts and without waiting for the disk: for files that can be made again and that
+/// carry a checksum.
+void write_scratch_file_atomically(const std::filesystem::path& path, std::span<const std::string_view> parts);
 
 }  // namespace skinfit

@@ -2,16 +2,11 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "core/geometry.hpp"
+
 namespace skinfit {
-
-/// What a spectrum measures.
-enum class Quantity { reflectance, transmittance };
-
-/// Whether the mirror-like reflection of the surface reaches the detector.
-enum class Specular { included, excluded };
 
 /// How a spectrum was measured, as far as its file says so.
 struct Geometry {

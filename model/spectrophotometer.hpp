@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry.hpp"
+#include "model/chromophores.hpp"
+#include "model/parameters.hpp"
+#include "model/path_ensemble.hpp"
+#include "model/skin.hpp"
+
+namespace skinfit {
+
+/// A specimen in a spectrophotometer.
+struct Experiment {
+    ParameterValues values;
+    Edition edition = Edition::revised;
+    int layers = 4;
+    Base base;
+    double incidence_rad = 0.0;
+    Specular specular = Specular::included;
+
+    [[nodiscard]] Sample sample() const {
+        return {.skin = values.skin, .edition = edition, .layers = layers, .base = base};
+    }
+};
+
+/// The share of the surface reflectance that reaches the detector.
+[[nodiscard]] double surface_weight(const Experiment& experiment);
+
+/// The wavelengths at which the model is evaluated for an instrument that states `wavelengths_nm`.
+[[nodiscard]] std::vector<double> true_wavelengths_nm(const Experiment& experiment,
+                                                      const std::vector<double>& wavelengths_nm);
+
+/// What the instrument reads at one wavelength, as fractions.
+struct Reading {
+    double wavelength_nm;  ///< as the instrument states it
+    double reflectance;    ///< scale * (subsurface + collected surface reflectance) + offset
+    double reflectance_se;
+    double transmittance;  ///< scale * transmitted share + offset
+    double transmittance_se;
+    double surface_reflectance;  ///< of the surface alone, whether collected or not
+};
+
+/// The readings by the analog walk: every ray survives or is absorbed.
+[[nodiscard]] std::vector<Reading> read_by_walk(const Experiment& experiment, const std::vector<double>& wavelengths_nm,
+                                                std::uint64_t rays, std::uint64_t seed);
+
+/// The readings by an ensemble traced for this experiment at `true_wavelengths_nm`.
+[[nodiscard]] std::vector<Reading> read_by_paths(const Experiment& experiment,
+                                                 const std::vector<double>& wavelengths_nm,
+                                                 const PathEnsemble& ensemble);
+
+/// The layers' optical depths at each wavelength at which the model is evaluated.
+[[nodiscard]] std::vector<PerLayer<double>> optical_depths(const Skin& skin,
+                                                           const std::vector<Extinction>& extinctions);
+
+/// The pigments' extinctions at each wavelength. Throws InputError outside the tables.
+[[nodiscard]] std::vector<Extinction> extinctions(const std::vector<double>& wavelengths_nm, Edition edition);
+
+}  // namespace skinfit
