@@ -67,7 +67,11 @@ std::string ensemble_key(const Sample& sample, const std::vector<double>& wavele
 
 PathEnsemble cached_ensemble(const Sample& sample, const std::vector<double>& wavelengths_nm,
                              const WalkOptions& options, const EnsembleCache& cache) {
-    if (!cache.folder) return PathEnsemble::trace(sample, wavelengths_nm, options);
+    const auto trace = [&] {
+        cache.inform(fmt::format("recording {} walks at each of {} wavelengths", options.rays, wavelengths_nm.size()));
+        return PathEnsemble::trace(sample, wavelengths_nm, options);
+    };
+    if (!cache.folder) return trace();
     const std::string key = ensemble_key(sample, wavelengths_nm, options);
     const XXH128_hash_t hash = XXH3_128bits(key.data(), key.size());
     const std::filesystem::path path =
@@ -82,7 +86,7 @@ PathEnsemble cached_ensemble(const Sample& sample, const std::vector<double>& wa
         cache.warn(fmt::format("{}: the cached ensemble is {}; it is traced again and replaced", path.string(),
                                std::get<Unusable>(stored).reason));
     }
-    PathEnsemble ensemble = PathEnsemble::trace(sample, wavelengths_nm, options);
+    PathEnsemble ensemble = trace();
     try {
         std::filesystem::create_directories(*cache.folder, error);
         write_ensemble_file(path, key, ensemble);

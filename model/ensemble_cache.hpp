@@ -13,8 +13,9 @@ namespace skinfit {
 
 /// Ensembles kept on disk between runs, in one folder, at most `limit_bytes` of them: the longest unused go first.
 struct EnsembleCache {
-    std::optional<std::filesystem::path> folder;   ///< none: nothing is kept
-    std::function<void(const std::string&)> warn;  ///< told, once a file, of what is wrong with the cache
+    std::optional<std::filesystem::path> folder;     ///< none: nothing is kept
+    std::function<void(const std::string&)> warn;    ///< told, once a file, of what is wrong with the cache
+    std::function<void(const std::string&)> inform;  ///< told before a recording starts
     std::uint64_t limit_bytes = std::uint64_t{2} << 30U;
 };
 

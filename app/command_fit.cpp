@@ -1,0 +1,65 @@
+#include "app/commands.hpp"
+#include "app/shared_options.hpp"
+#include "fit/configuration_json.hpp"
+#include "fit/fit.hpp"
+#include "fit/report.hpp"
+#include "measurements/text_reader.hpp"
+
+namespace skinfit {
+namespace {
+
+struct FitCommand {
+    SharedOptions shared;
+    std::string file;
+    std::string column;
+    std::string unit;
+    std::vector<std::string> free;
+    std::vector<std::string> fix;
+    bool cross_check = false;
+    std::string solver;
+};
+
+Configuration fit_configuration(const FitCommand& command) {
+    Configuration configuration = configuration_from(command.shared);
+    if (!command.solver.empty()) configuration = configured(configuration, {{"solver", command.solver}}, "--solver");
+    if (!command.column.empty()) configuration.column = command.column;
+    if (!command.unit.empty()) configuration = configured(configuration, {{"unit", command.unit}}, "--unit");
+    for (const std::string& names : command.free) configuration = with_freedom(configuration, names, true, "--free");
+    for (const std::string& names : command.fix) configuration = with_freedom(configuration, names, false, "--fix");
+    return configuration;
+}
+
+int run(const FitCommand& command) {
+    const Configuration configuration = fit_configuration(command);
+    check_output(command.shared);
+    const Spectrum spectrum = read_spectrum(command.file, {.column = configuration.column, .unit = configuration.unit});
+    const auto limit = thread_limit(command.shared);
+    const FitResult result = fit_spectrum(configuration, spectrum,
+                                          {.cross_check = command.cross_check, .cache = cache_from(command.shared)});
+    write_output(command.shared,
+                 command.shared.format == "json" ? json_report(result).dump(2) + "\n" : text_report(result));
+    return result.verdict == Verdict::trustworthy ? trustworthy_result : result_with_warning;
+}
+
+}  // namespace
+
+void add_fit_command(CLI::App& app, int& exit_code) {
+    const auto command = std::make_shared<FitCommand>();
+    CLI::App* const fit = app.add_subcommand("fit", "explain a measured spectrum by skin biology");
+    fit->add_option("FILE", command->file, "spectrum: text of columns, the first the wavelength in nm")->required();
+    fit->add_option("--column", command->column, "of a file with several spectra: its name, or its number from 1")
+        ->type_name("NAME");
+    fit->add_option("--unit", command->unit, "of the values: fraction or percent; found by a rule otherwise");
+    fit->add_option("--free", command->free, "adjust these parameters too")
+        ->type_name("NAME,NAME")
+        ->expected(1)
+        ->take_all();
+    fit->add_option("--fix", command->fix, "hold these parameters")->type_name("NAME,NAME")->expected(1)->take_all();
+    fit->add_option("--solver", command->solver, "ceres (exact derivatives) or bobyqa (none)");
+    fit->add_flag("--cross-check", command->cross_check, "fit by the other solver too and compare");
+    add_shared_options(*fit, command->shared, {"text", "json"});
+    fit->footer("Exit code 0: trustworthy; 1: a result with a warning; 2: bad input; 3: internal error.");
+    fit->callback([command, &exit_code] { exit_code = run(*command); });
+}
+
+}  // namespace skinfit

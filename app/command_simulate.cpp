@@ -1,0 +1,70 @@
+#include "app/commands.hpp"
+#include "app/shared_options.hpp"
+#include "fit/configuration_json.hpp"
+#include "fit/problem.hpp"
+#include "fit/report.hpp"
+
+namespace skinfit {
+namespace {
+
+struct SimulateCommand {
+    SharedOptions shared;
+    std::string engine;
+    std::string wavelengths;
+    std::string rays;
+    std::string seed;
+};
+
+Configuration simulate_configuration(const SimulateCommand& command) {
+    Configuration configuration = configuration_from(command.shared);
+    const auto take = [&](const char* key, const std::string& text) {
+        if (!text.empty()) configuration = configured_by_assignment(configuration, std::string(key) + "=" + text);
+    };
+    take("engine", command.engine);
+    take("wavelengths", command.wavelengths);
+    take("rays", command.rays);
+    take("seed", command.seed);
+    return configuration;
+}
+
+std::vector<Reading> readings(const Configuration& configuration, const EnsembleCache& cache) {
+    const Experiment experiment = make_experiment(configuration, {});
+    const std::vector<double> wavelengths_nm = parse_wavelengths(configuration.wavelengths, "wavelengths");
+    const std::vector<double> true_nm = true_wavelengths_nm(experiment, wavelengths_nm);
+    (void)extinctions(true_nm, experiment.edition);  // refuses wavelengths outside the tables before any work
+    if (configuration.engine == Engine::walk) {
+        return read_by_walk(experiment, wavelengths_nm, configuration.rays, configuration.seed);
+    }
+    return read_by_paths(
+        experiment, wavelengths_nm,
+        cached_ensemble(
+            experiment.sample(), true_nm,
+            {.incidence_rad = experiment.incidence_rad, .rays = configuration.rays, .seed = configuration.seed},
+            cache));
+}
+
+int run(const SimulateCommand& command) {
+    const Configuration configuration = simulate_configuration(command);
+    check_output(command.shared);
+    const auto limit = thread_limit(command.shared);
+    const std::vector<Reading> spectrum = readings(configuration, cache_from(command.shared));
+    write_output(command.shared, command.shared.format == "json"
+                                     ? simulation_json(spectrum, configuration).dump(2) + "\n"
+                                     : simulation_csv(spectrum, configuration));
+    return trustworthy_result;
+}
+
+}  // namespace
+
+void add_simulate_command(CLI::App& app, int& exit_code) {
+    const auto command = std::make_shared<SimulateCommand>();
+    CLI::App* const simulate = app.add_subcommand("simulate", "compute the spectrum of a described skin");
+    simulate->add_option("--engine", command->engine, "paths (recorded walks) or walk (analog)");
+    simulate->add_option("--wavelengths", command->wavelengths, "nm: first:last:step as in 400:700:20, or a list");
+    simulate->add_option("--rays", command->rays, "per wavelength");
+    simulate->add_option("--seed", command->seed, "of the random numbers");
+    add_shared_options(*simulate, command->shared, {"csv", "json"});
+    simulate->callback([command, &exit_code] { exit_code = run(*command); });
+}
+
+}  // namespace skinfit

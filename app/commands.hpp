@@ -1,0 +1,15 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+/// One function per command: it adds the command to `app`; the command sets `exit_code` when it runs.
+namespace skinfit {
+
+/// What a run of the program ended with.
+enum ExitCode : int { trustworthy_result = 0, result_with_warning = 1, bad_input = 2, internal_error = 3 };
+
+void add_fit_command(CLI::App& app, int& exit_code);
+void add_simulate_command(CLI::App& app, int& exit_code);
+void add_config_command(CLI::App& app, int& exit_code);
+
+}  // namespace skinfit

@@ -1,0 +1,83 @@
+#include "app/shared_options.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "core/file.hpp"
+#include "core/input_error.hpp"
+#include "fit/configuration_json.hpp"
+
+namespace skinfit {
+
+void add_shared_options(CLI::App& command, SharedOptions& options, const std::vector<std::string>& formats) {
+    options.format = formats.front();
+    command.add_option("--config", options.config, "JSON file of settings; see `skinfit config show`")
+        ->type_name("FILE");
+    command.add_option("--set", options.set, "change one setting or parameter, as in melanosome_fraction=0.1")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->take_all();
+    command.add_option("--format", options.format, "form of the output")
+        ->check(CLI::IsMember(formats))
+        ->capture_default_str();
+    command.add_option("--out", options.out, "write there instead of to the terminal")->type_name("FILE");
+    command.add_option("--threads", options.threads, "at most so many; the result does not depend on it")
+        ->check(CLI::Range(1, 1024));
+    command.add_flag("--no-cache", options.no_cache, "do not keep or use recorded walks");
+}
+
+Configuration configuration_from(const SharedOptions& options) {
+    Configuration configuration = default_configuration();
+    if (!options.config.empty()) {
+        configuration = configured_by_text(configuration, read_file(options.config), options.config);
+    }
+    for (const std::string& assignment : options.set) {
+        configuration = configured_by_assignment(configuration, assignment);
+    }
+    return configuration;
+}
+
+EnsembleCache cache_from(const SharedOptions& options) {
+    return {.folder = options.no_cache ? std::nullopt : default_cache_folder(),
+            .warn = [](const std::string& text) { fmt::print(stderr, "warning: {}\n", text); },
+            .inform =
+                [](const std::string& text) {
+                    if (::isatty(STDERR_FILENO) != 0) fmt::print(stderr, "{} ...\n", text);
+                }};
+}
+
+std::unique_ptr<tbb::global_control> thread_limit(const SharedOptions& options) {
+    if (options.threads == 0) return nullptr;
+    return std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                 static_cast<std::size_t>(options.threads));
+}
+
+void write_output(const SharedOptions& options, const std::string& text) {
+    if (!options.out.empty()) {
+        write_file_atomically(options.out, text);
+        return;
+    }
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+        throw InputError({.where = "standard output",
+                          .problem = "cannot be written",
+                          .why = std::strerror(errno),
+                          .remedy = "check where it leads, or name a file with --out"});
+    }
+}
+
+void check_output(const SharedOptions& options) {
+    if (options.out.empty()) return;
+    std::error_code error;
+    const std::filesystem::path folder = std::filesystem::absolute(options.out, error).parent_path();
+    const bool is_folder = std::filesystem::is_directory(options.out, error);
+    if (!is_folder && ::access(folder.c_str(), W_OK) == 0) return;
+    throw InputError({.where = options.out.string(),
+                      .problem = "cannot be written",
+                      .why = is_folder ? "it is a folder" : std::strerror(errno),
+                      .remedy = "name a file in a folder that exists and is writable"});
+}
+
+}  // namespace skinfit

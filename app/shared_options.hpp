@@ -1,0 +1,44 @@
+#pragma once
+
+#include <tbb/global_control.h>
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/configuration.hpp"
+#include "model/ensemble_cache.hpp"
+
+namespace skinfit {
+
+/// Options that commands have in common.
+struct SharedOptions {
+    std::string config;            ///< JSON file
+    std::vector<std::string> set;  ///< key=value
+    std::string format;            ///< of the output
+    std::filesystem::path out;     ///< empty: stdout
+    int threads = 0;               ///< 0: as many as the machine has
+    bool no_cache = false;
+};
+
+/// Adds them to `command`; `formats` are the choices of --format, the first the default.
+void add_shared_options(CLI::App& command, SharedOptions& options, const std::vector<std::string>& formats);
+
+/// The default configuration, changed by --config and then by each --set. Throws InputError.
+[[nodiscard]] Configuration configuration_from(const SharedOptions& options);
+
+/// The cache for recorded walks as the options ask for; its messages go to stderr.
+[[nodiscard]] EnsembleCache cache_from(const SharedOptions& options);
+
+/// Limits the number of threads for as long as it lives.
+[[nodiscard]] std::unique_ptr<tbb::global_control> thread_limit(const SharedOptions& options);
+
+/// Writes `text` to --out, or to stdout. Throws InputError where that cannot be done; then nothing is half-written.
+void write_output(const SharedOptions& options, const std::string& text);
+
+/// Throws InputError when --out cannot be written: before the work rather than after it.
+void check_output(const SharedOptions& options);
+
+}  // namespace skinfit

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/geometry.hpp"
+#include "measurements/text_reader.hpp"
+#include "model/parameters.hpp"
+#include "model/skin.hpp"
+
+namespace skinfit {
+
+/// How the model is computed.
+enum class Engine {
+    paths,  ///< recorded walks: smooth in the pigments
+    walk,   ///< the analog walk: simulation only
+};
+
+/// What minimises the misfit.
+enum class Solver {
+    ceres,   ///< trust region with the exact Jacobian
+    bobyqa,  ///< derivative-free, NLopt
+};
+
+/// Limits of a free parameter.
+struct Bounds {
+    double lower;
+    double upper;
+};
+
+/// Everything a user can set. What is optional and unset is taken from the measured file, else from
+/// `default_incidence_deg` and its neighbours.
+struct Configuration {
+    Edition edition = Edition::revised;
+    Engine engine = Engine::paths;
+    Solver solver = Solver::ceres;
+    int layers = 4;
+    std::optional<Base> base;  ///< unset: hypodermis under four layers, air under two
+    std::optional<double> incidence_deg;
+    std::optional<Specular> specular;
+    std::optional<Quantity> quantity;
+    std::optional<std::string> column;  ///< of the measured file
+    std::optional<Unit> unit;           ///< of the measured file
+    std::uint64_t rays = 100'000;
+    std::uint64_t seed = 1;
+    std::string wavelengths = "400:700:10";  ///< of a simulation, nm; see `parse_wavelengths`
+    double wavelength_min_nm = 400;          ///< of a fit
+    double wavelength_max_nm = 700;          ///< of a fit
+    double noise = 0.006;                    ///< standard uncertainty of a value where the file states none, fraction
+    ParameterValues values;                  ///< fixed values, and starts of free parameters
+    std::array<bool, parameter_count> free{};
+    std::array<Bounds, parameter_count> bounds{};
+};
+
+/// Used where neither the configuration nor the measured file states the geometry: the common d/8 and 8/d
+/// instruments with the specular reflection included.
+inline constexpr double default_incidence_deg = 8.0;
+inline constexpr Specular default_specular = Specular::included;
+inline constexpr Quantity default_quantity = Quantity::reflectance;
+
+/// [KA04, Table 1], five free pigment parameters, 400-700 nm; noise: the median repeat scatter of [COOKSEY17].
+[[nodiscard]] Configuration default_configuration();
+
+/// The base of the sample, resolved. Throws InputError for a hypodermis under two layers.
+[[nodiscard]] Base resolved_base(const Configuration& configuration);
+
+/// The free parameters, in the order of the parameter table.
+[[nodiscard]] std::vector<Parameter> free_parameters(const Configuration& configuration);
+
+}  // namespace skinfit

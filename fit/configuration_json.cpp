@@ -1,0 +1,221 @@
+#include "fit/configuration_json.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/input_error.hpp"
+#include "core/text.hpp"
+
+namespace skinfit {
+namespace {
+
+[[noreturn]] void refuse_unknown(const std::string& where, std::string_view key,
+                                 const std::vector<std::string_view>& known) {
+    throw InputError({.where = where,
+                      .problem = fmt::format("unknown key \"{}\"", key),
+                      .why = "it would have no effect",
+                      .remedy = fmt::format("did you mean \"{}\"?", nearest_name(key, known))});
+}
+
+void require_object(const Json& json, const std::string& where) {
+    if (json.is_object()) return;
+    throw InputError({.where = where,
+                      .problem = fmt::format("{} is no object", json.dump()),
+                      .why = "keys and values are needed here",
+                      .remedy = "see `skinfit config show` for the form"});
+}
+
+std::vector<std::string_view> parameter_names() {
+    std::vector<std::string_view> names;
+    for (const ParameterInfo& info : parameter_table()) names.push_back(info.name);
+    return names;
+}
+
+double read_value(const Json& value, const ParameterInfo& info, const std::string& where) {
+    const bool good = value.is_number() && value.get<double>() >= info.lowest && value.get<double>() <= info.highest;
+    if (good) return value.get<double>();
+    throw InputError({.where = where,
+                      .problem = fmt::format("{} is no good", value.dump()),
+                      .why = value.is_number() ? "out of range" : "a number is needed",
+                      .remedy = fmt::format("give a number from {} to {}{}{}", info.lowest, info.highest,
+                                            info.unit.empty() ? "" : " ", info.unit)});
+}
+
+void read_parameter(Configuration& configuration, const ParameterInfo& info, const Json& json,
+                    const std::string& where) {
+    double& value = value_of(configuration.values, info.parameter);
+    if (!json.is_object()) {
+        value = read_value(json, info, where);
+        return;
+    }
+    Bounds& bounds = configuration.bounds[static_cast<std::size_t>(info.parameter)];
+    for (const auto& [key, entry] : json.items()) {
+        const std::string here = where + "." + key;
+        if (key == "value") {
+            value = read_value(entry, info, here);
+        } else if (key == "lower") {
+            bounds.lower = read_value(entry, info, here);
+        } else if (key == "upper") {
+            bounds.upper = read_value(entry, info, here);
+        } else {
+            refuse_unknown(where, key, {"value", "lower", "upper"});
+        }
+    }
+    if (!(bounds.lower < bounds.upper)) {
+        throw InputError(
+            {.where = where,
+             .problem = fmt::format("lower bound {} is not below upper bound {}", bounds.lower, bounds.upper),
+             .why = "a fit needs room between them",
+             .remedy = "exchange them, or fix the parameter"});
+    }
+}
+
+void read_parameters(Configuration& configuration, const Json& json, const std::string& where) {
+    require_object(json, where);
+    for (const auto& [key, value] : json.items()) {
+        const std::optional<Parameter> parameter = find_parameter(key);
+        if (!parameter) refuse_unknown(where, key, parameter_names());
+        read_parameter(configuration, info(*parameter), value, where + "." + key);
+    }
+}
+
+void read_free(Configuration& configuration, const Json& json, const std::string& where) {
+    configuration.free.fill(false);
+    const bool is_list =
+        json.is_array() && std::ranges::all_of(json, [](const Json& name) { return name.is_string(); });
+    if (!is_list) {
+        throw InputError({.where = where,
+                          .problem = fmt::format("{} is no list of names", json.dump()),
+                          .why = "the free parameters are needed here",
+                          .remedy = "give names as in [\"melanosome_fraction\"]"});
+    }
+    for (const Json& name : json) configuration = with_freedom(configuration, name.get<std::string>(), true, where);
+}
+
+/// The value of "key=value": JSON where it reads as a JSON scalar, else a number or a word.
+Json scalar(std::string_view text) {
+    const Json json = Json::parse(text, nullptr, false);
+    if (json.is_number() || json.is_null()) return json;
+    if (const std::optional<double> number = parse_number(text)) return *number;
+    return std::string(text);
+}
+
+}  // namespace
+
+Configuration with_freedom(Configuration configuration, std::string_view names, bool free, const std::string& where) {
+    for (const std::string_view name : split(names, ',')) {
+        const std::optional<Parameter> parameter = find_parameter(name);
+        if (!parameter) refuse_unknown(where, name, parameter_names());
+        configuration.free[static_cast<std::size_t>(*parameter)] = free;
+    }
+    return configuration;
+}
+
+Configuration configured(Configuration configuration, const Json& json, const std::string& where) {
+    require_object(json, where);
+    if (json.contains("configuration")) {
+        return configured(std::move(configuration), json["configuration"], where + ": configuration");
+    }
+    std::vector<std::string_view> known = {"free", "parameters"};
+    for (const Setting& setting : setting_table()) known.push_back(setting.name);
+    for (const auto& [key, value] : json.items()) {
+        const std::string here = where + ": " + key;
+        const auto setting = std::ranges::find(setting_table(), key, &Setting::name);
+        if (setting != setting_table().end()) {
+            setting->read(configuration, value, here);
+        } else if (key == "free") {
+            read_free(configuration, value, here);
+        } else if (key == "parameters") {
+            read_parameters(configuration, value, here);
+        } else {
+            refuse_unknown(where, key, known);
+        }
+    }
+    return configuration;
+}
+
+Configuration configured_by_text(const Configuration& configuration, std::string_view text, const std::string& where) {
+    Json json;
+    try {
+        json = Json::parse(text, nullptr, true, true);
+    } catch (const Json::parse_error& error) {
+        const auto line =
+            1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size())),
+                           '\n');
+        throw InputError({.where = fmt::format("{}:{}", where, line),
+                          .problem = "not JSON",
+                          .why = "the text ends or continues in an unexpected way here",
+                          .remedy = "compare it with `skinfit config show`"});
+    }
+    return configured(configuration, json, where);
+}
+
+Configuration configured_by_assignment(const Configuration& configuration, std::string_view assignment) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string_view::npos) {
+        throw InputError({.where = fmt::format("--set {}", assignment),
+                          .problem = "no \"=\"",
+                          .why = "a key and a value are needed",
+                          .remedy = "write it as in --set melanosome_fraction=0.1"});
+    }
+    const std::string key(trimmed(assignment.substr(0, equals)));
+    const std::string_view text = trimmed(assignment.substr(equals + 1));
+    const Json value = scalar(text);
+    const std::string where = fmt::format("--set {}", assignment);
+    if (find_parameter(key)) return configured(configuration, {{"parameters", {{key, value}}}}, "--set");
+    const auto setting = std::ranges::find(setting_table(), key, &Setting::name);
+    if (setting == setting_table().end()) {
+        std::vector<std::string_view> known = parameter_names();
+        for (const Setting& each : setting_table()) known.push_back(each.name);
+        refuse_unknown(where, key, known);
+    }
+    return configured(configuration, {{key, value}}, "--set");
+}
+
+Json to_json(const Configuration& configuration) {
+    Json json;
+    for (const Setting& setting : setting_table()) json[std::string(setting.name)] = setting.write(configuration);
+    json["free"] = Json::array();
+    for (const Parameter parameter : free_parameters(configuration)) json["free"].push_back(info(parameter).name);
+    for (const ParameterInfo& info : parameter_table()) {
+        const Bounds& bounds = configuration.bounds[static_cast<std::size_t>(info.parameter)];
+        json["parameters"][std::string(info.name)] = {{"value", value_of(configuration.values, info.parameter)},
+                                                      {"lower", bounds.lower},
+                                                      {"upper", bounds.upper}};
+    }
+    return json;
+}
+
+Json configuration_schema() {
+    Json properties;
+    for (const Setting& setting : setting_table()) {
+        Json property = setting.schema;
+        property["description"] = setting.meaning;
+        properties[std::string(setting.name)] = property;
+    }
+    properties["free"] = {{"type", "array"},
+                          {"description", "the parameters a fit adjusts"},
+                          {"items", {{"enum", parameter_names()}}},
+                          {"uniqueItems", true}};
+    Json parameters;
+    for (const ParameterInfo& info : parameter_table()) {
+        const Json number = {{"type", "number"}, {"minimum", info.lowest}, {"maximum", info.highest}};
+        const Json object = {{"type", "object"},
+                             {"properties", {{"value", number}, {"lower", number}, {"upper", number}}},
+                             {"additionalProperties", false}};
+        parameters[std::string(info.name)] = {
+            {"description",
+             fmt::format("{}{}{}. Source: {}", info.meaning, info.unit.empty() ? "" : ", ", info.unit, info.source)},
+            {"anyOf", {number, object}}};
+    }
+    properties["parameters"] = {{"type", "object"}, {"properties", parameters}, {"additionalProperties", false}};
+    return {{"$schema", "http://json-schema.org/draft-07/schema#"},
+            {"title", "skinfit configuration"},
+            {"type", "object"},
+            {"properties", properties},
+            {"additionalProperties", false}};
+}
+
+}  // namespace skinfit

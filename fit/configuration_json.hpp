@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "fit/configuration.hpp"
+#include "fit/settings.hpp"
+
+namespace skinfit {
+
+/// Changes `configuration` by what `json` states: settings by their names, `free` (a list of parameters) and
+/// `parameters` (each a number, or an object of value, lower, upper). The JSON of a fit is good too: its
+/// "configuration" is taken. Throws InputError for anything unknown, naming the closest known key, and for values out
+/// of range; `where` names the source in messages.
+[[nodiscard]] Configuration configured(Configuration configuration, const Json& json, const std::string& where);
+
+/// The same from text; comments are allowed.
+[[nodiscard]] Configuration configured_by_text(const Configuration& configuration, std::string_view text,
+                                               const std::string& where);
+
+/// Changes one setting or parameter by "key=value", as given on the command line.
+[[nodiscard]] Configuration configured_by_assignment(const Configuration& configuration, std::string_view assignment);
+
+/// Changes whether the parameters named in "NAME,NAME" are free; `where` names the option in messages.
+[[nodiscard]] Configuration with_freedom(Configuration configuration, std::string_view names, bool free,
+                                         const std::string& where);
+
+/// The whole configuration, such that `configured(default_configuration(), to_json(c), ...)` is c again.
+[[nodiscard]] Json to_json(const Configuration& configuration);
+
+/// The JSON Schema (draft 7) of a configuration.
+[[nodiscard]] Json configuration_schema();
+
+}  // namespace skinfit

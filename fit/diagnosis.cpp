@@ -1,0 +1,82 @@
+#include "fit/diagnosis.hpp"
+
+#include <fmt/format.h>
+
+namespace skinfit {
+namespace {
+
+constexpr double improbable = 1e-3;
+constexpr double monte_carlo_share = 0.5;  // of the noise
+constexpr double better_chi2 = 1e-3;
+constexpr double different_sigmas = 0.1;
+
+void judge_misfit(const FitResult& result, std::vector<std::string>& reasons) {
+    if (!result.p_value) {
+        reasons.emplace_back(
+            "NO DEGREES OF FREEDOM: as many parameters as wavelengths, so nothing tests the model; measure more "
+            "wavelengths or fix parameters");
+    } else if (*result.p_value < improbable) {
+        reasons.push_back(
+            fmt::format("MISFIT beyond the noise: chi2 {:.1f} for {} degrees of freedom (p = {:.1g}), rmse {:.4f} "
+                        "against a noise of "
+                        "{:.4f}; check geometry and specular, free scale or other parameters, or state a larger noise",
+                        result.chi2, result.degrees_of_freedom, *result.p_value, result.rmse, result.median_sigma));
+    }
+}
+
+void judge_parameters(const FitResult& result, std::vector<std::string>& reasons) {
+    for (const FittedParameter& fitted : result.parameters) {
+        const std::string_view name = info(fitted.parameter).name;
+        const Status status = fitted.uncertainty.status;
+        if (status == Status::at_lower_bound || status == Status::at_upper_bound) {
+            reasons.push_back(fmt::format(
+                "AT BOUND: {} ended at its {} bound {:.6g}, and the other values depend on that; widen the bound if it "
+                "is not physiological, or fix the parameter",
+                name, status == Status::at_lower_bound ? "lower" : "upper", fitted.value));
+        } else if (status == Status::not_identifiable) {
+            reasons.push_back(
+                fmt::format("NOT IDENTIFIABLE: the spectrum says less about {} than its bounds do; fix it, or measure "
+                            "wavelengths where it absorbs",
+                            name));
+        }
+    }
+}
+
+void judge_solvers(const FitResult& result, std::vector<std::string>& reasons) {
+    for (const SolverAnswer& other : result.cross_check) {
+        const double gain = result.chi2 - other.minimum.chi2;
+        const std::optional<double> difference = largest_difference_in_sigmas(result, other.minimum);
+        if (gain > better_chi2 || (difference && *difference > different_sigmas)) {
+            reasons.push_back(fmt::format(
+                "SOLVERS DISAGREE: another solver ended at chi2 {:.6g} instead of {:.6g}, {:.2g} sigma away; start "
+                "elsewhere with --set, or fix parameters that trade against each other",
+                other.minimum.chi2, result.chi2, difference.value_or(0.0)));
+        }
+    }
+}
+
+}  // namespace
+
+Diagnosis diagnose(const FitResult& result) {
+    if (!result.answer.minimum.converged) {
+        return {.verdict = Verdict::failed,
+                .reasons = {fmt::format("NOT CONVERGED: {}; start elsewhere with --set, or fix parameters",
+                                        result.answer.minimum.termination)}};
+    }
+    std::vector<std::string> reasons;
+    judge_misfit(result, reasons);
+    judge_parameters(result, reasons);
+    if (result.monte_carlo_error > monte_carlo_share * result.median_sigma) {
+        reasons.push_back(
+            fmt::format("TOO FEW RAYS: the model's own error of {:.5f} exceeds half the noise of {:.5f}; set rays to "
+                        "at least {:.0f}",
+                        result.monte_carlo_error, result.median_sigma,
+                        static_cast<double>(result.configuration.rays) *
+                            (result.monte_carlo_error / result.median_sigma / monte_carlo_share) *
+                            (result.monte_carlo_error / result.median_sigma / monte_carlo_share)));
+    }
+    judge_solvers(result, reasons);
+    return {.verdict = reasons.empty() ? Verdict::trustworthy : Verdict::suspect, .reasons = std::move(reasons)};
+}
+
+}  // namespace skinfit

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "fit/configuration.hpp"
+#include "fit/result.hpp"
+#include "measurements/spectrum.hpp"
+#include "model/ensemble_cache.hpp"
+
+namespace skinfit {
+
+/// What to do beside the fit itself.
+struct FitOptions {
+    bool cross_check = false;  ///< also by the other solver, and compare
+    EnsembleCache cache;
+};
+
+/// Explains `spectrum` as `configuration` says. Throws InputError for a problem that makes no sense (`make_problem`);
+/// a fit that ends badly is a result with a verdict.
+[[nodiscard]] FitResult fit_spectrum(const Configuration& configuration, const Spectrum& spectrum,
+                                     const FitOptions& options);
+
+/// The median of `values`; 0 of none.
+[[nodiscard]] double median(std::vector<double> values);
+
+}  // namespace skinfit

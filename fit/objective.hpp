@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "fit/problem.hpp"
+#include "model/path_ensemble.hpp"
+
+namespace skinfit {
+
+/// The misfit of one problem as a function of its free parameters, smooth and with exact derivatives.
+class Objective {
+public:
+    /// `ensemble` must have been traced for the problem's experiment.
+    Objective(const FitProblem& problem, PathEnsemble ensemble);
+
+    [[nodiscard]] const FitProblem& problem() const { return *problem_; }
+    [[nodiscard]] std::size_t residual_count() const { return problem_->wavelength_nm.size(); }
+    [[nodiscard]] std::size_t free_count() const { return problem_->free.size(); }
+
+    /// The model's reading at each wavelength for values of the free parameters, and its derivatives.
+    struct Modelled {
+        Eigen::VectorXd reading;         ///< fractions
+        Eigen::MatrixXd jacobian;        ///< wavelengths x free parameters
+        Eigen::VectorXd standard_error;  ///< of `reading`, Monte Carlo
+    };
+    [[nodiscard]] Modelled model(std::span<const double> values) const;
+
+    /// (modelled - measured) / sigma of a reading.
+    [[nodiscard]] Eigen::VectorXd residuals(const Eigen::VectorXd& reading) const;
+
+    /// The sum of squared residuals at values of the free parameters.
+    [[nodiscard]] double chi2(std::span<const double> values) const;
+
+    /// The reading as each batch of the ensemble alone gives it: wavelengths x batches.
+    [[nodiscard]] Eigen::MatrixXd batch_readings(std::span<const double> values) const;
+
+private:
+    [[nodiscard]] ParameterValues with(std::span<const double> values) const;
+    [[nodiscard]] Side side() const;
+
+    const FitProblem* problem_;
+    PathEnsemble ensemble_;
+    std::vector<Extinction> extinctions_;
+};
+
+}  // namespace skinfit

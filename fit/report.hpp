@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fit/configuration.hpp"
+#include "fit/result.hpp"
+#include "fit/settings.hpp"
+#include "model/spectrophotometer.hpp"
+
+/// Reports: pure functions of results.
+namespace skinfit {
+
+/// The words of JSON and tables.
+[[nodiscard]] std::string_view name_of(Verdict verdict);
+[[nodiscard]] std::string_view name_of(Status status);
+
+/// The report for people: verdict first, values rounded to two digits of their standard deviation.
+[[nodiscard]] std::string text_report(const FitResult& result);
+
+/// The report for programs, complete enough to run the fit again.
+[[nodiscard]] Json json_report(const FitResult& result);
+
+/// A simulation as CSV, with its settings as comments on top, readable by `read_spectrum`.
+[[nodiscard]] std::string simulation_csv(const std::vector<Reading>& readings, const Configuration& configuration);
+
+/// A simulation as JSON.
+[[nodiscard]] Json simulation_json(const std::vector<Reading>& readings, const Configuration& configuration);
+
+}  // namespace skinfit

@@ -1,0 +1,99 @@
+#include "core/version.hpp"
+#include "fit/configuration_json.hpp"
+#include "fit/report.hpp"
+
+namespace skinfit {
+namespace {
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+    return value ? Json(*value) : Json();
+}
+
+Json parameters_json(const FitResult& result) {
+    Json json;
+    for (const FittedParameter& fitted : result.parameters) {
+        const ParameterInfo& row = info(fitted.parameter);
+        const ParameterUncertainty& uncertainty = fitted.uncertainty;
+        json[std::string(row.name)] = {{"value", fitted.value},
+                                       {"sigma", or_null(uncertainty.sigma)},
+                                       {"monte_carlo_sigma", or_null(uncertainty.monte_carlo_sigma)},
+                                       {"interval_95", {uncertainty.interval_95.lower, uncertainty.interval_95.upper}},
+                                       {"lower", fitted.bounds.lower},
+                                       {"upper", fitted.bounds.upper},
+                                       {"start", fitted.start},
+                                       {"status", name_of(uncertainty.status)},
+                                       {"unit", row.unit}};
+    }
+    return json;
+}
+
+Json correlation_json(const FitResult& result) {
+    Json names = Json::array();
+    Json matrix = Json::array();
+    for (Eigen::Index a = 0; a < result.correlation.rows(); ++a) {
+        names.push_back(info(result.free[static_cast<std::size_t>(a)]).name);
+        Json row = Json::array();
+        for (Eigen::Index b = 0; b < result.correlation.cols(); ++b) row.push_back(result.correlation(a, b));
+        matrix.push_back(row);
+    }
+    return {{"parameters", names}, {"matrix", matrix}};
+}
+
+Json answer_json(const FitResult& result, const SolverAnswer& answer, const Json& solver_name) {
+    Json values;
+    for (std::size_t i = 0; i < result.free.size(); ++i) {
+        values[std::string(info(result.free[i]).name)] = answer.minimum.values[i];
+    }
+    return {{"solver", solver_name},
+            {"chi2", answer.minimum.chi2},
+            {"converged", answer.minimum.converged},
+            {"termination", answer.minimum.termination},
+            {"evaluations", answer.minimum.evaluations},
+            {"values", values},
+            {"largest_difference_sigmas", or_null(largest_difference_in_sigmas(result, answer.minimum))}};
+}
+
+Json solver_name(Solver solver) {
+    Configuration configuration;
+    configuration.solver = solver;
+    return to_json(configuration)["solver"];
+}
+
+}  // namespace
+
+Json json_report(const FitResult& result) {
+    const Json configuration = to_json(result.configuration);
+    Json residual = Json::array();
+    for (std::size_t i = 0; i < result.measured.size(); ++i)
+        residual.push_back(result.modelled[i] - result.measured[i]);
+    Json json = {{"verdict", name_of(result.verdict)},
+                 {"reasons", result.reasons},
+                 {"rmse", result.rmse},
+                 {"chi2", result.chi2},
+                 {"degrees_of_freedom", result.degrees_of_freedom},
+                 {"p_value", or_null(result.p_value)},
+                 {"monte_carlo_error", result.monte_carlo_error},
+                 {"parameters", parameters_json(result)},
+                 {"correlation", correlation_json(result)},
+                 {"solution", answer_json(result, result.answer, solver_name(result.answer.solver))}};
+    if (!result.cross_check.empty()) json["cross_check"] = Json::array();
+    for (const SolverAnswer& other : result.cross_check) {
+        json["cross_check"].push_back(answer_json(result, other, solver_name(other.solver)));
+    }
+    json["spectrum"] = {{"name", result.spectrum_name},
+                        {"source", result.spectrum_source},
+                        {"unit_rule", result.unit_rule},
+                        {"sigma_source", result.sigma_source}};
+    json["wavelength_nm"] = result.wavelength_nm;
+    json["measured"] = result.measured;
+    json["sigma"] = result.sigma;
+    json["modelled"] = result.modelled;
+    json["residual"] = residual;
+    for (const char* key : {"edition", "engine", "seed", "rays"}) json[key] = configuration[key];
+    json["version"] = version;
+    json["configuration"] = configuration;
+    return json;
+}
+
+}  // namespace skinfit

@@ -1,0 +1,157 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/version.hpp"
+#include "fit/configuration_json.hpp"
+#include "fit/report.hpp"
+
+namespace skinfit {
+namespace {
+
+/// `value` with two digits of `sigma` behind it: 0.01234 and 0.00056 give "0.01234".
+std::string rounded(double value, double sigma) {
+    if (!(sigma > 0.0) || !std::isfinite(sigma)) return fmt::format("{:.6g}", value);
+    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(sigma))), 0, 12);
+    return fmt::format("{:.{}f}", value, decimals);
+}
+
+std::string unit_in_words(const ParameterInfo& info) {
+    return info.unit.empty() ? "-" : std::string(info.unit);
+}
+
+std::string parameter_row(const FittedParameter& fitted) {
+    const ParameterInfo& row = info(fitted.parameter);
+    const ParameterUncertainty& uncertainty = fitted.uncertainty;
+    const double width = fitted.bounds.upper - fitted.bounds.lower;
+    const double grain = uncertainty.sigma.value_or(width / 1000);
+    const std::string interval = fmt::format("{} to {}", rounded(uncertainty.interval_95.lower, grain),
+                                             rounded(uncertainty.interval_95.upper, grain));
+    switch (uncertainty.status) {
+        case Status::free:
+            return fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}\n", row.name, rounded(fitted.value, grain),
+                               rounded(*uncertainty.sigma, grain), rounded(*uncertainty.monte_carlo_sigma, grain),
+                               interval, unit_in_words(row));
+        case Status::not_identifiable:
+            return fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}  NOT IDENTIFIABLE\n", row.name, "-", "-", "-",
+                               interval, unit_in_words(row));
+        default:
+            return fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}  {}\n", row.name, rounded(fitted.value, grain),
+                               "-", "-", interval, unit_in_words(row),
+                               uncertainty.status == Status::at_lower_bound ? "AT LOWER BOUND" : "AT UPPER BOUND");
+    }
+}
+
+std::string parameter_table_text(const FitResult& result) {
+    std::string text = fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}\n", "free parameter", "value", "+/- 1 sigma",
+                                   "Monte Carlo", "95 % interval", "unit");
+    for (const FittedParameter& fitted : result.parameters) {
+        if (fitted.uncertainty.status != Status::fixed) text += parameter_row(fitted);
+    }
+    return text;
+}
+
+std::string fixed_text(const FitResult& result) {
+    std::string text = "fixed:";
+    for (const FittedParameter& fitted : result.parameters) {
+        if (fitted.uncertainty.status != Status::fixed) continue;
+        const std::string item = fmt::format(" {}={:.6g}", info(fitted.parameter).name, fitted.value);
+        const std::size_t line_start = text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1;
+        constexpr std::size_t line_length = 110;
+        if (text.size() + item.size() - line_start > line_length) text += "\n      ";
+        text += item;
+    }
+    return text + "\n";
+}
+
+std::string correlation_text(const FitResult& result) {
+    constexpr double strong = 0.9;
+    std::string text;
+    for (Eigen::Index a = 0; a < result.correlation.rows(); ++a) {
+        for (Eigen::Index b = a + 1; b < result.correlation.cols(); ++b) {
+            if (std::abs(result.correlation(a, b)) <= strong) continue;
+            text += fmt::format("  {:+.3f}  {} with {}\n", result.correlation(a, b),
+                                info(result.free[static_cast<std::size_t>(a)]).name,
+                                info(result.free[static_cast<std::size_t>(b)]).name);
+        }
+    }
+    return text.empty() ? "correlations above 0.9: none\n" : "correlations above 0.9:\n" + text;
+}
+
+std::string solver_line(const FitResult& result, const SolverAnswer& answer) {
+    Configuration named;
+    named.solver = answer.solver;
+    const std::optional<double> difference = largest_difference_in_sigmas(result, answer.minimum);
+    return fmt::format("  {:<8}chi2 {:<12.8g}{:>5} evaluations, {}, {}\n", to_json(named)["solver"].get<std::string>(),
+                       answer.minimum.chi2, answer.minimum.evaluations,
+                       answer.minimum.converged ? "converged" : "NOT CONVERGED",
+                       difference ? fmt::format("parameters within {:.2g} sigma", *difference)
+                                  : "no parameter has a sigma to compare by");
+}
+
+std::string cross_check_text(const FitResult& result) {
+    if (result.cross_check.empty()) return "";
+    std::string text = "cross-check:\n" + solver_line(result, result.answer);
+    for (const SolverAnswer& other : result.cross_check) text += solver_line(result, other);
+    return text;
+}
+
+std::string model_text(const Configuration& configuration) {
+    const Json json = to_json(configuration);
+    const auto word = [&json](const char* key) {
+        return json[key].is_string() ? json[key].get<std::string>() : json[key].dump();
+    };
+    return fmt::format(
+        "model: edition {}, engine {}, {} rays, seed {}; {} layers on base {}\n"
+        "instrument: {}, incidence {} deg, specular {}\n"
+        "skinfit {}, research software, not a medical device\n",
+        word("edition"), word("engine"), word("rays"), word("seed"), word("layers"), word("base"), word("quantity"),
+        word("incidence_deg"), word("specular"), version);
+}
+
+}  // namespace
+
+std::string_view name_of(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::trustworthy:
+            return "trustworthy";
+        case Verdict::suspect:
+            return "suspect";
+        default:
+            return "failed";
+    }
+}
+
+std::string_view name_of(Status status) {
+    switch (status) {
+        case Status::free:
+            return "free";
+        case Status::fixed:
+            return "fixed";
+        case Status::at_lower_bound:
+            return "at_lower_bound";
+        case Status::at_upper_bound:
+            return "at_upper_bound";
+        default:
+            return "not_identifiable";
+    }
+}
+
+std::string text_report(const FitResult& result) {
+    std::string verdict(name_of(result.verdict));
+    if (result.verdict != Verdict::trustworthy) std::ranges::transform(verdict, verdict.begin(), ::toupper);
+    std::string text = fmt::format("{} ({})\nverdict: {}\n", result.spectrum_name, result.spectrum_source, verdict);
+    for (const std::string& reason : result.reasons) text += fmt::format("  - {}\n", reason);
+    text += "\n" + parameter_table_text(result) + "\n";
+    text += fmt::format("misfit: rmse {:.5f}, chi2 {:.2f} for {} degrees of freedom{}\n", result.rmse, result.chi2,
+                        result.degrees_of_freedom, result.p_value ? fmt::format(" (p = {:.2g})", *result.p_value) : "");
+    text += fmt::format("noise: {}; Monte Carlo error of the model: {:.5f}\n", result.sigma_source,
+                        result.monte_carlo_error);
+    text += fmt::format("wavelengths: {} from {:g} to {:g} nm; values read as {}\n", result.wavelength_nm.size(),
+                        result.wavelength_nm.front(), result.wavelength_nm.back(), result.unit_rule);
+    return text + correlation_text(result) + cross_check_text(result) + fixed_text(result) +
+           model_text(result.configuration);
+}
+
+}  // namespace skinfit

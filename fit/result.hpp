@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/configuration.hpp"
+#include "fit/minimum.hpp"
+#include "fit/uncertainty.hpp"
+
+namespace skinfit {
+
+/// Whether the answer can be used.
+enum class Verdict { trustworthy, suspect, failed };
+
+/// One parameter of a fit, free or fixed.
+struct FittedParameter {
+    Parameter parameter;
+    double value;
+    double start;
+    Bounds bounds;
+    ParameterUncertainty uncertainty;  ///< of a fixed parameter: Status::fixed and the value as interval
+};
+
+/// The answer of one solver, for comparison with another.
+struct SolverAnswer {
+    Solver solver;
+    Minimum minimum;
+};
+
+/// Everything a report needs.
+struct FitResult {
+    Verdict verdict = Verdict::failed;
+    std::vector<std::string> reasons;  ///< each with its remedy; empty when trustworthy
+    std::string spectrum_name;
+    std::string spectrum_source;
+    std::string unit_rule;
+    std::string sigma_source;
+    double rmse = 0.0;  ///< of reading minus measurement, fraction
+    double chi2 = 0.0;
+    std::size_t degrees_of_freedom = 0;
+    std::optional<double> p_value;            ///< of chi2; none without degrees of freedom
+    double median_sigma = 0.0;                ///< of the measurement
+    double monte_carlo_error = 0.0;           ///< median standard error of the modelled reading
+    std::vector<FittedParameter> parameters;  ///< in the order of the parameter table
+    std::vector<Parameter> free;              ///< rows of `correlation`
+    Eigen::MatrixXd correlation;
+    std::vector<double> wavelength_nm;
+    std::vector<double> measured;
+    std::vector<double> sigma;
+    std::vector<double> modelled;
+    SolverAnswer answer;
+    std::vector<SolverAnswer> cross_check;  ///< other solvers on the same objective; empty unless asked for
+    Configuration configuration;            ///< resolved: the fit can be run again from it
+};
+
+/// Largest difference of a free parameter between two answers, in standard deviations of the result; none when no
+/// parameter has one.
+[[nodiscard]] std::optional<double> largest_difference_in_sigmas(const FitResult& result, const Minimum& other);
+
+}  // namespace skinfit

@@ -1,0 +1,267 @@
+#include "fit/settings.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/input_error.hpp"
+#include "core/text.hpp"
+
+namespace skinfit {
+namespace {
+
+constexpr std::array<std::string_view, 2> edition_names = {"printed", "revised"};
+constexpr std::array<std::string_view, 2> engine_names = {"paths", "walk"};
+constexpr std::array<std::string_view, 2> solver_names = {"ceres", "bobyqa"};
+constexpr std::array<std::string_view, 2> unit_names = {"fraction", "percent"};
+
+[[noreturn]] void refuse(const std::string& where, const Json& value, const std::string& why,
+                         const std::string& remedy) {
+    throw InputError(
+        {.where = where, .problem = fmt::format("{} is no good", value.dump()), .why = why, .remedy = remedy});
+}
+
+/// A number between two limits, both included.
+struct Range {
+    double lowest;
+    double highest;
+};
+
+double read_number(const Json& value, const Range& range, const std::string& where) {
+    const std::string remedy = fmt::format("give a number from {} to {}", range.lowest, range.highest);
+    if (!value.is_number()) refuse(where, value, "a number is needed", remedy);
+    const double number = value.get<double>();
+    if (!(number >= range.lowest && number <= range.highest)) refuse(where, value, "out of range", remedy);
+    return number;
+}
+
+std::uint64_t read_count(const Json& value, std::uint64_t lowest, std::uint64_t highest, const std::string& where) {
+    const Range range{static_cast<double>(lowest), static_cast<double>(highest)};
+    const double number = read_number(value, range, where);
+    if (number != std::floor(number)) refuse(where, value, "a whole number is needed", "leave out the decimals");
+    return value.is_number_integer() ? value.get<std::uint64_t>() : static_cast<std::uint64_t>(number);
+}
+
+template <class Enum, std::size_t count>
+Enum read_name(const Json& value, const std::array<std::string_view, count>& names, const std::string& where) {
+    const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+    const auto found = std::ranges::find(names, text);
+    if (found == names.end()) {
+        refuse(where, value, fmt::format("one of {} is needed", fmt::join(names, ", ")),
+               fmt::format("did you mean {}?", nearest_name(text, names)));
+    }
+    return static_cast<Enum>(found - names.begin());
+}
+
+template <class Enum, std::size_t count>
+Setting named(std::string_view name, std::string_view meaning, const std::array<std::string_view, count>& names,
+              Enum Configuration::*field) {
+    return {name,
+            meaning,
+            {{"enum", names}},
+            [&names, field](Configuration& configuration, const Json& value, const std::string& where) {
+                configuration.*field = read_name<Enum>(value, names, where);
+            },
+            [&names, field](const Configuration& configuration) {
+                return Json(names[static_cast<std::size_t>(configuration.*field)]);
+            }};
+}
+
+/// A named setting that null leaves to the measured file.
+template <class Enum, std::size_t count>
+Setting named(std::string_view name, std::string_view meaning, const std::array<std::string_view, count>& names,
+              std::optional<Enum> Configuration::*field) {
+    Json choices = names;
+    choices.push_back(nullptr);
+    return {name,
+            meaning,
+            {{"enum", choices}},
+            [&names, field](Configuration& configuration, const Json& value, const std::string& where) {
+                configuration.*field =
+                    value.is_null() ? std::nullopt : std::optional(read_name<Enum>(value, names, where));
+            },
+            [&names, field](const Configuration& configuration) {
+                const std::optional<Enum> choice = configuration.*field;
+                return choice ? Json(names[static_cast<std::size_t>(*choice)]) : Json();
+            }};
+}
+
+Setting number(std::string_view name, std::string_view meaning, const Range& range, double Configuration::*field) {
+    return {name,
+            meaning,
+            {{"type", "number"}, {"minimum", range.lowest}, {"maximum", range.highest}},
+            [range, field](Configuration& configuration, const Json& value, const std::string& where) {
+                configuration.*field = read_number(value, range, where);
+            },
+            [field](const Configuration& configuration) { return Json(configuration.*field); }};
+}
+
+Setting count(std::string_view name, std::string_view meaning, std::uint64_t lowest, std::uint64_t highest,
+              std::uint64_t Configuration::*field) {
+    return {name,
+            meaning,
+            {{"type", "integer"}, {"minimum", lowest}, {"maximum", highest}},
+            [lowest, highest, field](Configuration& configuration, const Json& value, const std::string& where) {
+                configuration.*field = read_count(value, lowest, highest, where);
+            },
+            [field](const Configuration& configuration) { return Json(configuration.*field); }};
+}
+
+Setting layers() {
+    return {"layers",
+            "4: whole skin; 2: separated stratum corneum and epidermis",
+            {{"enum", {2, 4}}},
+            [](Configuration& configuration, const Json& value, const std::string& where) {
+                const double layers = read_number(value, {2, 4}, where);
+                if (layers != 2 && layers != 4) refuse(where, value, "2 or 4 is needed", "give 4 for whole skin");
+                configuration.layers = static_cast<int>(layers);
+            },
+            [](const Configuration& configuration) { return Json(configuration.layers); }};
+}
+
+constexpr Range base_index_range{1.0, 3.0};
+
+void read_base(Configuration& configuration, const Json& value, const std::string& where) {
+    constexpr std::array<std::string_view, 2> names = {"hypodermis", "matched"};
+    if (value.is_null()) {
+        configuration.base.reset();
+    } else if (value.is_number()) {
+        configuration.base =
+            Base{.kind = Base::Kind::index, .refractive_index = read_number(value, base_index_range, where)};
+    } else {
+        configuration.base = Base{.kind = read_name<Base::Kind>(value, names, where)};
+    }
+}
+
+Setting base() {
+    return {"base",
+            "what lies under the lowest layer: hypodermis (reflects all), matched (lets all out) or a refractive "
+            "index; null: hypodermis under 4 layers, air under 2",
+            {{"anyOf",
+              {Json{{"enum", {"hypodermis", "matched", nullptr}}},
+               Json{{"type", "number"}, {"minimum", base_index_range.lowest}, {"maximum", base_index_range.highest}}}}},
+            read_base,
+            [](const Configuration& configuration) {
+                if (!configuration.base) return Json();
+                switch (configuration.base->kind) {
+                    case Base::Kind::hypodermis:
+                        return Json("hypodermis");
+                    case Base::Kind::matched:
+                        return Json("matched");
+                    default:
+                        return Json(configuration.base->refractive_index);
+                }
+            }};
+}
+
+Setting incidence() {
+    static constexpr Range range{0.0, 85.0};
+    return {"incidence_deg",
+            "of the light, to the normal; null: as the measured file says, else 8",
+            {{"type", {"number", "null"}}, {"minimum", range.lowest}, {"maximum", range.highest}},
+            [](Configuration& configuration, const Json& value, const std::string& where) {
+                configuration.incidence_deg =
+                    value.is_null() ? std::nullopt : std::optional(read_number(value, range, where));
+            },
+            [](const Configuration& configuration) {
+                return configuration.incidence_deg ? Json(*configuration.incidence_deg) : Json();
+            }};
+}
+
+Setting column() {
+    return {
+        "column",
+        "of a file with several spectra, by name or number; null: the only one",
+        {{"type", {"string", "integer", "null"}}},
+        [](Configuration& configuration, const Json& value, const std::string& where) {
+            if (value.is_null()) {
+                configuration.column.reset();
+            } else if (value.is_string() || value.is_number_integer()) {
+                configuration.column = value.is_string() ? value.get<std::string>() : value.dump();
+            } else {
+                refuse(where, value, "a column's name or number is needed", "give it as text");
+            }
+        },
+        [](const Configuration& configuration) { return configuration.column ? Json(*configuration.column) : Json(); }};
+}
+
+Setting wavelengths() {
+    return {"wavelengths",
+            "of a simulation, nm: first:last:step or a list",
+            {{"type", {"string", "number"}}},
+            [](Configuration& configuration, const Json& value, const std::string& where) {
+                configuration.wavelengths = value.is_string() ? value.get<std::string>() : value.dump();
+                (void)parse_wavelengths(configuration.wavelengths, where);
+            },
+            [](const Configuration& configuration) { return Json(configuration.wavelengths); }};
+}
+
+}  // namespace
+
+std::span<const Setting> setting_table() {
+    constexpr std::uint64_t fewest_rays = 1000;
+    constexpr std::uint64_t most_rays = 10'000'000'000;
+    constexpr std::uint64_t largest_seed = 9'007'199'254'740'992;  // 2^53: exact in any JSON reader
+    static const std::vector<Setting> settings = {
+        named("edition", "which reading of the model's paper: see model/REFERENCES.md", edition_names,
+              &Configuration::edition),
+        named("engine", "paths: recorded walks, smooth; walk: the analog walk, simulation only", engine_names,
+              &Configuration::engine),
+        named("solver", "what minimises the misfit of a fit", solver_names, &Configuration::solver),
+        layers(),
+        base(),
+        incidence(),
+        named("specular", "whether the mirror reflection of the surface is seen; null: as the file says, else included",
+              specular_names, &Configuration::specular),
+        named("quantity", "what the spectrum measures; null: as the file says, else reflectance", quantity_names,
+              &Configuration::quantity),
+        column(),
+        named("unit", "of the values in the file; null: found by the unit rule", unit_names, &Configuration::unit),
+        count("rays", "per wavelength", fewest_rays, most_rays, &Configuration::rays),
+        count("seed", "of the random numbers", 0, largest_seed, &Configuration::seed),
+        wavelengths(),
+        number("wavelength_min_nm", "a fit uses the wavelengths from here", {0, 1e5},
+               &Configuration::wavelength_min_nm),
+        number("wavelength_max_nm", "a fit uses the wavelengths up to here", {0, 1e5},
+               &Configuration::wavelength_max_nm),
+        number("noise", "standard uncertainty of a value where the file states none, fraction", {1e-6, 1},
+               &Configuration::noise),
+    };
+    return settings;
+}
+
+std::vector<double> parse_wavelengths(std::string_view text, const std::string& where) {
+    constexpr std::size_t most_wavelengths = 100'000;
+    const auto malformed = [&](const std::string& why) {
+        return InputError({.where = where,
+                           .problem = fmt::format("\"{}\" is no set of wavelengths", text),
+                           .why = why,
+                           .remedy = "give first:last:step as in 400:700:20, or a list as in 450,540,660, in nm"});
+    };
+    const bool is_grid = text.find(':') != std::string_view::npos;
+    std::vector<double> numbers;
+    for (const std::string_view field : split(text, is_grid ? ':' : ',')) {
+        const std::optional<double> number = parse_number(field);
+        if (!number || !std::isfinite(*number)) throw malformed(fmt::format("\"{}\" is not a number", field));
+        numbers.push_back(*number);
+    }
+    if (!is_grid) {
+        if (std::ranges::adjacent_find(numbers, std::greater_equal<>{}) != numbers.end()) {
+            throw malformed("a list must ascend");
+        }
+        return numbers;
+    }
+    if (numbers.size() != 3) throw malformed("three numbers are needed between the colons");
+    const auto [first, last, step] = std::tuple(numbers[0], numbers[1], numbers[2]);
+    if (!(step > 0) || last < first) throw malformed("the step must be positive and the last not below the first");
+    const double steps = std::floor((last - first) / step * (1.0 + 1e-12));
+    if (steps >= most_wavelengths) throw malformed(fmt::format("more than {} wavelengths", most_wavelengths));
+    std::vector<double> grid;
+    for (int i = 0; i <= static_cast<int>(steps); ++i) grid.push_back(first + i * step);
+    return grid;
+}
+
+}  // namespace skinfit

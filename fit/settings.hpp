@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fit/configuration.hpp"
+
+namespace skinfit {
+
+using Json = nlohmann::ordered_json;
+
+/// One setting of the configuration: the one place that knows its name, form and meaning.
+struct Setting {
+    std::string_view name;     ///< JSON key, and key of `--set`
+    std::string_view meaning;  ///< one line for help texts and the schema
+    Json schema;               ///< JSON Schema of its value
+    /// Takes the value from JSON; throws InputError naming `where`.
+    std::function<void(Configuration&, const Json&, const std::string& where)> read;
+    std::function<Json(const Configuration&)> write;
+};
+
+/// All settings but the parameters, in the order in which they are shown.
+[[nodiscard]] std::span<const Setting> setting_table();
+
+/// Reads "400:700:20" (first:last:step), a list "400,450,500" or a single number, nm. Throws InputError naming `where`.
+[[nodiscard]] std::vector<double> parse_wavelengths(std::string_view text, const std::string& where);
+
+}  // namespace skinfit

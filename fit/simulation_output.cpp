@@ -1,0 +1,65 @@
+#include <fmt/format.h>
+
+#include "core/version.hpp"
+#include "fit/configuration_json.hpp"
+#include "fit/problem.hpp"
+#include "fit/report.hpp"
+
+namespace skinfit {
+namespace {
+
+/// `configuration` with what a simulation takes by default filled in.
+Configuration resolved_for_simulation(const Configuration& configuration) {
+    Configuration complete = resolved(configuration, Spectrum{});
+    complete.quantity = configuration.quantity;
+    return complete;
+}
+
+std::string parameters_text(const Configuration& configuration) {
+    std::string text;
+    for (const ParameterInfo& info : parameter_table()) {
+        text += fmt::format(" {}={}", info.name, value_of(configuration.values, info.parameter));
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string simulation_csv(const std::vector<Reading>& readings, const Configuration& configuration) {
+    const Json settings = to_json(resolved_for_simulation(configuration));
+    const auto word = [&settings](const char* key) {
+        return settings[key].is_string() ? settings[key].get<std::string>() : settings[key].dump();
+    };
+    std::string text = fmt::format("# skinfit {} simulation\n", version);
+    for (const char* key : {"edition", "engine", "rays", "seed", "layers", "base", "incidence_deg", "specular"}) {
+        text += fmt::format("# {}: {}\n", key, word(key));
+    }
+    text += fmt::format("# unit: fraction\n# parameters:{}\n", parameters_text(configuration));
+    text += "wavelength_nm,reflectance,reflectance_se,transmittance,transmittance_se,surface_reflectance\n";
+    for (const Reading& reading : readings) {
+        text += fmt::format("{},{},{},{},{},{}\n", reading.wavelength_nm, reading.reflectance, reading.reflectance_se,
+                            reading.transmittance, reading.transmittance_se, reading.surface_reflectance);
+    }
+    return text;
+}
+
+Json simulation_json(const std::vector<Reading>& readings, const Configuration& configuration) {
+    const Json settings = to_json(resolved_for_simulation(configuration));
+    Json json;
+    const auto column = [&](const char* name, double Reading::*field) {
+        json[name] = Json::array();
+        for (const Reading& reading : readings) json[name].push_back(reading.*field);
+    };
+    column("wavelength_nm", &Reading::wavelength_nm);
+    column("reflectance", &Reading::reflectance);
+    column("reflectance_se", &Reading::reflectance_se);
+    column("transmittance", &Reading::transmittance);
+    column("transmittance_se", &Reading::transmittance_se);
+    column("surface_reflectance", &Reading::surface_reflectance);
+    for (const char* key : {"edition", "engine", "seed", "rays"}) json[key] = settings[key];
+    json["version"] = version;
+    json["configuration"] = settings;
+    return json;
+}
+
+}  // namespace skinfit

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "fit/minimum.hpp"
+#include "fit/objective.hpp"
+
+namespace skinfit {
+
+/// What became of a parameter.
+enum class Status { free, fixed, at_lower_bound, at_upper_bound, not_identifiable };
+
+/// How well the spectrum determines one free parameter.
+struct ParameterUncertainty {
+    Status status;
+    std::optional<double> sigma;              ///< 1 standard deviation from the noise; for Status::free only
+    std::optional<double> monte_carlo_sigma;  ///< from the finite number of rays; for Status::free only
+    Bounds interval_95;                       ///< within the bounds of the fit
+};
+
+/// How well the spectrum determines the free parameters at a minimum.
+struct Uncertainty {
+    std::vector<ParameterUncertainty> parameters;  ///< in the order of `FitProblem::free`
+    /// Of the parameters with Status::free; rows and columns of the others are zero but for the diagonal.
+    Eigen::MatrixXd correlation;
+};
+
+/// The uncertainty by linearisation at `minimum`.
+///
+/// A parameter at a bound, with chi2 rising into the box, is taken out of the covariance; its 95 % limit is where the
+/// linearised chi2, minimised over the others, has risen by 2.71. A parameter whose standard deviation is not below
+/// that of a uniform distribution over its bounds, width / sqrt(12), is not identifiable: the data say less than the
+/// bounds do; its interval is the bounds. The others have sigma, and intervals of 1.96 sigma cut at the bounds.
+[[nodiscard]] Uncertainty estimate_uncertainty(const Objective& objective, const Minimum& minimum);
+
+}  // namespace skinfit
