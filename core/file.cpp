@@ -32,8 +32,13 @@ int write_all(int descriptor, std::string_view bytes) {
     return ::fsync(descriptor) == 0 ? 0 : errno;
 }
 
-/// True for /dev/stdout, pipes and the like, which cannot be replaced by renaming.
+/// True for /dev/stdout, pipes and the like, which cannot be replaced by renaming. The first few are streams even where
+/// the shell has redirected them to a file: renaming would replace the name in /dev.
 bool is_stream(const std::filesystem::path& path) {
+    const std::string name = path.lexically_normal().string();
+    if (name == "/dev/stdout" || name == "/dev/stderr" || name.starts_with("/dev/fd/") || name.starts_with("/proc/")) {
+        return true;
+    }
     std::error_code ignored;
     const std::filesystem::file_status status = std::filesystem::status(path, ignored);
     return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
@@ -64,7 +69,7 @@ std::string read_file(const std::filesystem::path& path) {
 
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes) {
     if (is_stream(path)) {
-        const int descriptor = ::open(path.c_str(), O_WRONLY);
+        const int descriptor = ::open(path.c_str(), O_WRONLY | O_APPEND);
         if (descriptor < 0) refuse_to_write(path, errno);
         const int failure = write_all(descriptor, bytes);
         ::close(descriptor);
