@@ -19,7 +19,7 @@ const std::vector<std::string> valid_texts{
     "nm\tleft\tleft_sigma\tright\r500\t+0.5\t0.01\t\r490\t0.4\t0.02\tNaN\r",
 };
 
-/// One byte deleted, doubled, replaced by any byte, or replaced by one that matters to the grammar.
+/// One byte deleted, up to 30 doubled (so that lines repeat), or one replaced by any byte or by one of the grammar's.
 std::string mutated(std::string text, std::mt19937_64& random) {
     constexpr std::string_view marks = "\n\r\t ,;.#\":+-eE0%\\";
     if (text.empty()) return text;
@@ -29,7 +29,7 @@ std::string mutated(std::string text, std::mt19937_64& random) {
             text.erase(at, 1);
             break;
         case 1:
-            text.insert(at, 1, text[at]);
+            text.insert(at, text.substr(at, 1 + random() % 30));
             break;
         case 2:
             text[at] = static_cast<char>(random() % 256);
