@@ -57,8 +57,13 @@ void replace_file(const std::filesystem::path& path, std::span<const std::string
     }
 }
 
-/// True for /dev/stdout, pipes and the like, which cannot be replaced by renaming.
+/// True for /dev/stdout, pipes and the like, which cannot be replaced by renaming. The first few are streams even where
+/// the shell has redirected them to a file: renaming would replace the name in /dev.
 bool is_stream(const std::filesystem::path& path) {
+    const std::string name = path.lexically_normal().string();
+    if (name == "/dev/stdout" || name == "/dev/stderr" || name.starts_with("/dev/fd/") || name.starts_with("/proc/")) {
+        return true;
+    }
     std::error_code ignored;
     const std::filesystem::file_status status = std::filesystem::status(path, ignored);
     return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
@@ -92,7 +97,7 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view b
         replace_file(path, {&bytes, 1}, Durability::durable);
         return;
     }
-    const int descriptor = ::open(path.c_str(), O_WRONLY);
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_APPEND);
     if (descriptor < 0) refuse_to_write(path, errno);
     int failure = write_all(descriptor, bytes);
     if (::close(descriptor) != 0 && failure == 0) failure = errno;

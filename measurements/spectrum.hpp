@@ -10,17 +10,17 @@ namespace skinfit {
 
 /// How a spectrum was measured, as far as its file says so.
 struct Geometry {
-    std::optional<double> incidence_deg;  ///< to the normal
-    std::optional<Specular> specular;
+    std::optional<double> incidence_deg{};  ///< to the normal, in [0, 90)
+    std::optional<Specular> specular{};
 };
 
-/// A measured spectrum.
+/// A measured spectrum. The three vectors go together: entry i of each belongs to one wavelength.
 struct Spectrum {
-    std::string name;                   ///< of the specimen: the column, or the file where there is one column
+    std::string name;                   ///< of the specimen: as its file says, else the column chosen, else the file
     std::string source;                 ///< the file it came from
-    std::vector<double> wavelength_nm;  ///< ascends strictly
-    std::vector<double> value;          ///< fractions, one per wavelength
-    std::vector<double> sigma;          ///< standard uncertainty of `value`, one per wavelength; empty where not given
+    std::vector<double> wavelength_nm;  ///< at least one, in [100, 10000], ascends strictly
+    std::vector<double> value;          ///< fractions in [0, 1.5], one per wavelength
+    std::vector<double> sigma;          ///< standard uncertainty of `value`, above 0; empty where not given
     std::optional<Quantity> quantity;   ///< where the file says so
     Geometry geometry;
     std::string unit_rule;  ///< how the unit of the values was found, in words

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace skinfit {
+
+/// A comment that has a line to itself.
+struct Comment {
+    std::size_t line;       ///< counted from 1
+    std::string_view text;  ///< after the `#`, trimmed
+};
+
+/// One line of a table.
+struct Row {
+    std::size_t line;                     ///< counted from 1
+    std::vector<std::string_view> cells;  ///< trimmed, without quotes; at least `Columns::width` of them
+};
+
+/// Text taken apart into cells; which of them are numbers is not decided here. Views point into the text.
+struct Columns {
+    std::string source;  ///< names the text in messages
+    std::vector<Comment> comments;
+    char separator = ' ';            ///< `\t`, `;`, `,`, or a blank for any run of blanks
+    std::size_t width = 0;           ///< columns, at least 2; the first holds the wavelengths
+    std::size_t header_line = 0;     ///< counted from 1; 0 without a header
+    std::vector<std::string> names;  ///< one per column, some perhaps empty; none without a header
+    std::vector<Row> rows;           ///< at least 1
+};
+
+/// Takes `text` apart.
+///
+/// Separator: whichever of tab, semicolon and comma occurs in most of the lines that start like a number; in doubt the
+/// first of these, and blanks where none occurs. Separators and `#` inside double quotes are text.
+///
+/// Header: the first line that is not a comment, if it starts with a word. A line that starts like a number, as `4OO`
+/// does, is data, so that a slip in the first row is found rather than taken for a name. Lines without any text between
+/// separators count as empty, and cells that are empty in every line of the table's right end are dropped.
+///
+/// Throws InputError for text that is empty, binary or without data, for a word where a row should start, for rows that
+/// differ in length, and for lines split at commas that look like decimal commas.
+[[nodiscard]] Columns split_columns(std::string_view text, const std::string& source);
+
+/// `source:line`, the way messages name a line.
+[[nodiscard]] std::string at_line(const Columns& columns, std::size_t line);
+
+}  // namespace skinfit

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace skinfit {
+
+/// The unit of the values in a file.
+enum class Unit { fraction, percent };
+
+/// The largest value that can be a fraction: white standards and glossy samples exceed 1 by less than this.
+inline constexpr double largest_fraction = 1.5;
+
+/// The unit of some values, and how it was found.
+struct UnitFinding {
+    Unit unit;
+    std::string rule;  ///< such as "percent: stated by the header"
+};
+
+/// What states the unit of a file's values, in order of precedence.
+struct UnitStatements {
+    std::optional<Unit> option;   ///< the user
+    std::optional<Unit> comment;  ///< a comment in the file
+    std::string_view header;      ///< percent where it holds `%` or "percent"
+};
+
+/// The unit as stated; where nothing states it, percent when the largest of `values` exceeds `largest_fraction` and
+/// fraction otherwise. `values` must not be empty.
+[[nodiscard]] UnitFinding find_unit(const UnitStatements& statements, std::span<const double> values);
+
+}  // namespace skinfit

@@ -1,0 +1,133 @@
+#include "core/file.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+
+#include "core/input_error.hpp"
+
+namespace skinfit {
+namespace {
+
+/// A folder of its own for each test, removed afterwards.
+class FileTest : public testing::Test {
+protected:
+    void SetUp() override {
+        std::string name = testing::TempDir() + "skinfit_file_XXXXXX";
+        ASSERT_NE(::mkdtemp(name.data()), nullptr);
+        folder_ = name;
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    [[nodiscard]] std::filesystem::path in_folder(const std::string& name) const { return folder_ / name; }
+    [[nodiscard]] std::ptrdiff_t entries() const {
+        return std::distance(std::filesystem::directory_iterator(folder_), std::filesystem::directory_iterator());
+    }
+
+private:
+    std::filesystem::path folder_;
+};
+
+/// The message of the InputError that `action` throws, or nothing.
+template <typename Action>
+std::string refusal(Action action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+TEST_F(FileTest, ReadsBackTheBytesWritten) {
+    std::string every_byte;
+    for (int i = 0; i < 256; ++i) every_byte.push_back(static_cast<char>(i));
+    for (const std::string& bytes : {std::string(), every_byte, std::string(1 << 20, 'x')}) {
+        write_file_atomically(in_folder("a"), bytes);
+        EXPECT_EQ(read_file(in_folder("a")), bytes);
+        EXPECT_EQ(entries(), 1) << "a temporary file is left";
+    }
+}
+
+TEST_F(FileTest, AReaderOfTheOldFileKeepsAllOfIt) {
+    write_file_atomically(in_folder("a"), "old");
+    std::filesystem::create_hard_link(in_folder("a"), in_folder("old"));
+    write_file_atomically(in_folder("a"), "new");
+    EXPECT_EQ(read_file(in_folder("old")), "old") << "the old file was overwritten, not replaced";
+    EXPECT_EQ(read_file(in_folder("a")), "new");
+}
+
+TEST_F(FileTest, GivesAFileThePermissionsOfTheMask) {
+    const mode_t before = ::umask(027);
+    write_file_atomically(in_folder("a"), "x");
+    ::umask(before);
+    EXPECT_EQ(std::filesystem::status(in_folder("a")).permissions(), std::filesystem::perms{0640});
+}
+
+TEST_F(FileTest, RefusesToWriteIntoAMissingFolder) {
+    const std::filesystem::path path = in_folder("missing") / "a";
+    const std::string message = refusal([&] { write_file_atomically(path, "x"); });
+    EXPECT_TRUE(message.starts_with(path.string() + ": cannot be written (No such file or directory)")) << message;
+    EXPECT_EQ(entries(), 0);
+}
+
+TEST_F(FileTest, RefusesToReplaceAFolder) {
+    std::filesystem::create_directory(in_folder("target"));
+    write_file_atomically(in_folder("target") / "inside", "kept");
+    const std::string message = refusal([&] { write_file_atomically(in_folder("target"), "x"); });
+    EXPECT_NE(message.find("(Is a directory)"), std::string::npos) << message;
+    EXPECT_EQ(read_file(in_folder("target") / "inside"), "kept");
+    EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(FileTest, KeepsTheOldFileWhenTheFolderIsReadOnly) {
+    if (::geteuid() == 0) GTEST_SKIP() << "root writes into read-only folders";
+    write_file_atomically(in_folder("a"), "old");
+    const std::filesystem::path folder = in_folder("a").parent_path();
+    std::filesystem::permissions(folder, std::filesystem::perms{0500});
+    const std::string message = refusal([&] { write_file_atomically(in_folder("a"), "new"); });
+    std::filesystem::permissions(folder, std::filesystem::perms{0700});
+    EXPECT_NE(message.find("(Permission denied)"), std::string::npos) << message;
+    EXPECT_EQ(read_file(in_folder("a")), "old");
+    EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(FileTest, ReportsAFullDisk) {
+    if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "/dev/full is absent";
+    const std::string message = refusal([] { write_file_atomically("/dev/full", "x"); });
+    EXPECT_NE(message.find("(No space left on device)"), std::string::npos) << message;
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+}
+
+TEST_F(FileTest, WritesToDevicesWithoutReplacingThem) {
+    write_file_atomically("/dev/null", "x");
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST_F(FileTest, WritesToADescriptorThatTheShellSentToAFile) {
+    const std::filesystem::path target = in_folder("redirected");
+    std::FILE* const stream = std::fopen(target.c_str(), "w");
+    ASSERT_NE(stream, nullptr);
+    const std::string name = "/dev/fd/" + std::to_string(::fileno(stream));
+    write_file_atomically(name, "first, ");
+    write_file_atomically(name, "second");
+    std::fclose(stream);
+    EXPECT_EQ(read_file(target), "first, second");
+    EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(FileTest, ReadRefusalsNameThePathAndTheReason) {
+    const std::string missing = refusal([&] { (void)read_file(in_folder("missing")); });
+    EXPECT_TRUE(missing.starts_with(in_folder("missing").string() + ": cannot be read (No such file or directory)"))
+        << missing;
+    const std::string folder = refusal([&] { (void)read_file(in_folder("")); });
+    EXPECT_NE(folder.find("is a folder"), std::string::npos) << folder;
+    for (const std::string& message : {missing, folder}) EXPECT_EQ(message.find('\n'), std::string::npos);
+}
+
+}  // namespace
+}  // namespace skinfit
