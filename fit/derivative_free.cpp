@@ -39,7 +39,7 @@ std::string words(nlopt::result result) {
 
 }  // namespace
 
-Minimum minimise_by_bobyqa(const Objective& objective) {
+Minimum minimise_by_bobyqa(const Objective& objective, std::span<const double> start) {
     const FitProblem& problem = objective.problem();
     const auto count = static_cast<unsigned>(objective.free_count());
     // BOBYQA interpolates at 2 n + 1 points and refuses a single parameter; COBYLA serves there.
@@ -52,7 +52,7 @@ Minimum minimise_by_bobyqa(const Objective& objective) {
     solver.set_xtol_abs(1e-8);  // of the unit box
     solver.set_ftol_rel(1e-13);
     solver.set_maxeval(5000);
-    std::vector<double> positions = to_unit_box(problem, starts(problem));
+    std::vector<double> positions = to_unit_box(problem, start);
     double chi2 = 0.0;
     Minimum minimum;
     try {

@@ -11,8 +11,14 @@
 namespace skinfit {
 namespace {
 
-Minimum minimise(const Objective& objective, Solver solver) {
-    return solver == Solver::ceres ? minimise_by_ceres(objective) : minimise_by_bobyqa(objective);
+Minimum minimise(const Objective& objective, Solver solver, std::span<const double> start) {
+    return solver == Solver::ceres ? minimise_by_ceres(objective, start) : minimise_by_bobyqa(objective, start);
+}
+
+/// The minimum over a small part of the ensemble: most of the way for little of the cost.
+Minimum approach(const FitProblem& problem, const PathEnsemble& ensemble) {
+    constexpr std::uint64_t rays = 3000;
+    return minimise_by_ceres(Objective(problem, ensemble.with_about(rays)), starts(problem));
 }
 
 std::vector<FittedParameter> fitted_parameters(const FitProblem& problem, const Minimum& minimum,
@@ -72,10 +78,13 @@ std::optional<double> largest_difference_in_sigmas(const FitResult& result, cons
 FitResult fit_spectrum(const Configuration& configuration, const Spectrum& spectrum, const FitOptions& options) {
     const Configuration complete = resolved(configuration, spectrum);
     const FitProblem problem = make_problem(complete, spectrum);
-    const Objective objective(problem, cached_ensemble(problem.experiment.sample(),
-                                                       true_wavelengths_nm(problem.experiment, problem.wavelength_nm),
-                                                       problem.walk, options.cache));
-    const Minimum minimum = minimise(objective, complete.solver);
+    const PathEnsemble ensemble =
+        cached_ensemble(problem.experiment.sample(), true_wavelengths_nm(problem.experiment, problem.wavelength_nm),
+                        problem.walk, options.cache);
+    const Objective objective(problem, ensemble);
+    const std::vector<double> start =
+        complete.solver == Solver::ceres ? approach(problem, ensemble).values : starts(problem);
+    const Minimum minimum = minimise(objective, complete.solver, start);
     const Uncertainty uncertainty = estimate_uncertainty(objective, minimum);
     const Objective::Modelled modelled = objective.model(minimum.values);
 
@@ -100,7 +109,7 @@ FitResult fit_spectrum(const Configuration& configuration, const Spectrum& spect
     result.answer = {.solver = complete.solver, .minimum = minimum};
     if (options.cross_check) {
         const Solver other = complete.solver == Solver::ceres ? Solver::bobyqa : Solver::ceres;
-        result.cross_check.push_back({.solver = other, .minimum = minimise(objective, other)});
+        result.cross_check.push_back({.solver = other, .minimum = minimise(objective, other, starts(problem))});
     }
     result.configuration = complete;
     const Diagnosis diagnosis = diagnose(result);

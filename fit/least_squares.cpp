@@ -163,8 +163,8 @@ std::vector<bool> pressed_against_bounds(const Objective& objective, const std::
 
 }  // namespace
 
-Minimum minimise_by_ceres(const Objective& objective) {
-    std::vector<double> positions = to_unit_box(objective.problem(), starts(objective.problem()));
+Minimum minimise_by_ceres(const Objective& objective, std::span<const double> start) {
+    std::vector<double> positions = to_unit_box(objective.problem(), start);
     Minimum minimum;
     // An active-set method around Ceres: what arrives at a bound is held there; once the rest has converged, what is
     // not pressed against its bound is released.

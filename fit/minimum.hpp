@@ -23,10 +23,10 @@ struct Minimum {
 /// The starts of the free parameters.
 [[nodiscard]] std::vector<double> starts(const FitProblem& problem);
 
-/// Minimises chi2 from the problem's starts by Ceres' trust-region method with bounds and the exact Jacobian.
-[[nodiscard]] Minimum minimise_by_ceres(const Objective& objective);
+/// Minimises chi2 from `start` by Ceres' trust-region method with the exact Jacobian and an active set of bounds.
+[[nodiscard]] Minimum minimise_by_ceres(const Objective& objective, std::span<const double> start);
 
-/// Minimises chi2 from the problem's starts by NLopt's BOBYQA, which uses no derivatives [POWELL09].
-[[nodiscard]] Minimum minimise_by_bobyqa(const Objective& objective);
+/// Minimises chi2 from `start` by NLopt's BOBYQA, which uses no derivatives [POWELL09].
+[[nodiscard]] Minimum minimise_by_bobyqa(const Objective& objective, std::span<const double> start);
 
 }  // namespace skinfit

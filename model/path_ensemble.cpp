@@ -94,25 +94,31 @@ PathSpan PathEnsemble::paths(std::size_t wavelength, Side side, std::size_t batc
             .count = segment.batch_begins[batch + 1] - begin};
 }
 
-std::uint64_t PathEnsemble::batch_rays(std::size_t batch) const {
-    const RayRange range = rays_of_batch(rays_, batch);
-    return range.end - range.begin;
+std::uint64_t PathEnsemble::used_rays() const {
+    return rays_of_batch(rays_, used_batches_ - 1).end;
+}
+
+PathEnsemble PathEnsemble::with_about(std::uint64_t rays) const {
+    PathEnsemble part = *this;
+    part.used_batches_ = 1;
+    while (part.used_batches_ < used_batches_ && part.used_rays() < rays) ++part.used_batches_;
+    return part;
 }
 
 std::vector<EnsembleResponse> PathEnsemble::respond(std::span<const PerLayer<double>> optical_depths) const {
     assert(optical_depths.size() == wavelength_count());
     // The order of summation is fixed: within a batch, then batch by batch.
     std::vector<std::array<std::array<PathSums, batch_count>, side_count>> sums(wavelength_count());
-    tbb::parallel_for(std::size_t{0}, wavelength_count() * batch_count, [&](std::size_t unit) {
-        const std::size_t wavelength = unit / batch_count;
-        const std::size_t batch = unit % batch_count;
+    tbb::parallel_for(std::size_t{0}, wavelength_count() * used_batches_, [&](std::size_t unit) {
+        const std::size_t wavelength = unit / used_batches_;
+        const std::size_t batch = unit % used_batches_;
         for (std::size_t side = 0; side < side_count; ++side) {
             sums[wavelength][side][batch] =
                 sum_paths(paths(wavelength, static_cast<Side>(side), batch), optical_depths[wavelength]);
         }
     });
     const double entering = 1.0 - surface_share_;
-    const auto count = static_cast<double>(rays_);
+    const auto count = static_cast<double>(used_rays());
     std::vector<EnsembleResponse> responses(wavelength_count());
     for (std::size_t wavelength = 0; wavelength < wavelength_count(); ++wavelength) {
         for (std::size_t side = 0; side < side_count; ++side) {
@@ -133,12 +139,14 @@ std::vector<EnsembleResponse> PathEnsemble::respond(std::span<const PerLayer<dou
 
 std::vector<std::array<double, PathEnsemble::batch_count>> PathEnsemble::batch_shares(
     std::span<const PerLayer<double>> optical_depths, Side side) const {
-    assert(optical_depths.size() == wavelength_count());
+    assert(optical_depths.size() == wavelength_count() && used_batches_ == batch_count);
     std::vector<std::array<double, batch_count>> shares(wavelength_count());
     for (std::size_t wavelength = 0; wavelength < wavelength_count(); ++wavelength) {
         for (std::size_t batch = 0; batch < batch_count; ++batch) {
             const PathSums sums = sum_paths(paths(wavelength, side, batch), optical_depths[wavelength]);
-            shares[wavelength][batch] = (1.0 - surface_share_) * sums.weight / static_cast<double>(batch_rays(batch));
+            const RayRange range = rays_of_batch(rays_, batch);
+            shares[wavelength][batch] =
+                (1.0 - surface_share_) * sums.weight / static_cast<double>(range.end - range.begin);
         }
     }
     return shares;

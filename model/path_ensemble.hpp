@@ -51,7 +51,10 @@ public:
     /// The share of the light that the surface reflects.
     [[nodiscard]] double surface_share() const { return surface_share_; }
     [[nodiscard]] std::size_t wavelength_count() const { return segments_.size(); }
+    /// Rays per wavelength.
     [[nodiscard]] std::uint64_t rays() const { return rays_; }
+    /// Rays per wavelength in the batches in use.
+    [[nodiscard]] std::uint64_t used_rays() const;
 
     /// The response at each wavelength to the layers' optical depths there.
     [[nodiscard]] std::vector<EnsembleResponse> respond(std::span<const PerLayer<double>> optical_depths) const;
@@ -59,6 +62,9 @@ public:
     /// `Escape::share` of one side as each batch alone estimates it: [wavelength][batch].
     [[nodiscard]] std::vector<std::array<double, batch_count>> batch_shares(
         std::span<const PerLayer<double>> optical_depths, Side side) const;
+
+    /// The same ensemble with its first batches only, at least as many as hold `rays` rays: a cheap approximation.
+    [[nodiscard]] PathEnsemble with_about(std::uint64_t rays) const;
 
     /// The paths of one wavelength that leave through one side, in the order of their rays.
     struct Segment {
@@ -86,10 +92,10 @@ public:
 
 private:
     [[nodiscard]] PathSpan paths(std::size_t wavelength, Side side, std::size_t batch) const;
-    [[nodiscard]] std::uint64_t batch_rays(std::size_t batch) const;
 
     double surface_share_;
     std::uint64_t rays_;
+    std::size_t used_batches_ = batch_count;
     std::vector<Segments> segments_;
     std::span<const float> lengths_;
     std::shared_ptr<const void> owner_;
