@@ -1,5 +1,6 @@
 #include "tests/model/obvious_walk.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 #include <string_view>
+#include <vector>
 
 #include "model/path_ensemble.hpp"
 

@@ -60,7 +60,9 @@ TEST(ForwardScattering, LawIsTheTableAtItsWavelengthsAndConstantOutside) {
         for (std::size_t row = 0; row < angles_deg.size(); ++row) {
             const double share = measured_share(c.column, row);
             EXPECT_NEAR(scattering.share_within(angles_deg[row] * rad_per_deg), share, 4 * epsilon) << c.column;
-            EXPECT_NEAR(scattering.polar_angle(share), angles_deg[row] * rad_per_deg, 8 * epsilon) << c.column;
+            if (share < 1.0) {
+                EXPECT_NEAR(scattering.polar_angle(share), angles_deg[row] * rad_per_deg, 8 * epsilon) << c.column;
+            }
             if (row == 0) continue;
             const double middle = 0.5 * (angles_deg[row - 1] + angles_deg[row]) * rad_per_deg;
             EXPECT_NEAR(scattering.share_within(middle), 0.5 * (share + measured_share(c.column, row - 1)),
