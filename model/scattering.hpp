@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -30,8 +31,9 @@ public:
     /// `layer` is stratum corneum or epidermis.
     ForwardScattering(Layer layer, double wavelength_nm);
 
-    /// The polar angle, rad, below which the share `xi`, 0 to 1, of the light stays.
+    /// The polar angle, rad, below which the share `xi`, 0 to below 1, of the light stays.
     [[nodiscard]] double polar_angle(double xi) const {
+        assert(xi >= 0.0 && xi < 1.0);
         std::size_t segment = guide_[static_cast<std::size_t>(xi * guide_size)];
         while (share_[segment + 1] < xi) ++segment;
         return angle_[segment] + slope_[segment] * (xi - share_[segment]);

@@ -1,0 +1,136 @@
+#include "model/chromophores.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "core/input_error.hpp"
+
+namespace skinfit {
+namespace {
+
+TEST(Chromophores, SpotValueByHand) {
+    // 540 nm, Table 1, printed edition; plain arithmetic with the two measured points around 540 nm where needed.
+    const double baseline = 0.244 + 85.3 * std::exp(-386 / 66.2);
+    const double eumelanin = 6.995 + (5.758 - 6.995) * (540 - 523.76) / (550.7 - 523.76);
+    const double pheomelanin = 3.919 + (3.024 - 3.919) * (540 - 524.32) / (549.09 - 524.32);
+    const double carotene = 1056.1 / 537;
+    const double blood =
+        53236.0 / 66500 * 150 * 0.75 + 46592.0 / 66500 * 150 * 0.25 + carotene * 7e-5 + 65.8 / 585 * 0.05;
+    const PerLayer<double> absorption = absorption_per_cm({}, Extinction::at(540, Edition::printed));
+    EXPECT_DOUBLE_EQ(absorption[0], baseline + carotene * 2.1e-4);
+    EXPECT_DOUBLE_EQ(absorption[1],
+                     (eumelanin * 80 + pheomelanin * 12) * 0.052 + (baseline + carotene * 2.1e-4) * 0.948);
+    EXPECT_DOUBLE_EQ(absorption[2], blood * 0.012 + baseline * 0.988);
+    EXPECT_DOUBLE_EQ(absorption[3], blood * 0.0091 + baseline * 0.9909);
+    const PerLayer<double> depth = optical_depth({}, Extinction::at(540, Edition::printed));
+    EXPECT_DOUBLE_EQ(depth[0], absorption[0] * 0.001);
+    EXPECT_DOUBLE_EQ(depth[1], absorption[1] * 0.01);
+    EXPECT_DOUBLE_EQ(depth[2], absorption[2] * 0.02);
+    EXPECT_DOUBLE_EQ(depth[3], absorption[3] * 0.18);
+}
+
+TEST(Chromophores, EditionsDifferByLn10InDecadicExtinctionsAlone) {
+    for (const double wavelength_nm : {360.0, 451.3, 540.0, 699.0, 760.0}) {
+        const Extinction printed = Extinction::at(wavelength_nm, Edition::printed);
+        const Extinction revised = Extinction::at(wavelength_nm, Edition::revised);
+        EXPECT_DOUBLE_EQ(revised.oxyhemoglobin, std::numbers::ln10 * printed.oxyhemoglobin);
+        EXPECT_DOUBLE_EQ(revised.deoxyhemoglobin, std::numbers::ln10 * printed.deoxyhemoglobin);
+        EXPECT_DOUBLE_EQ(revised.bilirubin, std::numbers::ln10 * printed.bilirubin);
+        EXPECT_DOUBLE_EQ(revised.carotene, std::numbers::ln10 * printed.carotene);
+        EXPECT_EQ(revised.eumelanin, printed.eumelanin);
+        EXPECT_EQ(revised.pheomelanin, printed.pheomelanin);
+        EXPECT_EQ(revised.baseline_per_cm, printed.baseline_per_cm);
+    }
+}
+
+TEST(Chromophores, RangeIsWhereAllTablesAnswer) {
+    const WavelengthRange range = modelled_wavelengths();
+    EXPECT_EQ(range.lowest_nm, 250.0);
+    EXPECT_EQ(range.highest_nm, 820.26);
+    EXPECT_NO_THROW((void)Extinction::at(range.lowest_nm, Edition::revised));
+    EXPECT_NO_THROW((void)Extinction::at(range.highest_nm, Edition::revised));
+    EXPECT_THROW((void)Extinction::at(range.lowest_nm - 0.01, Edition::revised), InputError);
+    EXPECT_THROW((void)Extinction::at(range.highest_nm + 0.01, Edition::revised), InputError);
+    EXPECT_GT(Extinction::at(700, Edition::revised).bilirubin, 0.0);
+    EXPECT_EQ(Extinction::at(700.01, Edition::revised).bilirubin, 0.0);
+    EXPECT_EQ(Extinction::at(700.01, Edition::revised).carotene, 0.0);
+}
+
+TEST(Chromophores, SkinWithoutPigmentsIsTheBaseline) {
+    Skin skin;
+    skin.melanosome_fraction = 0;
+    skin.papillary_blood_fraction = 0;
+    skin.reticular_blood_fraction = 0;
+    skin.stratum_corneum_carotene_g_per_l = 0;
+    skin.epidermis_carotene_g_per_l = 0;
+    const Extinction extinction = Extinction::at(540, Edition::revised);
+    const double b = extinction.baseline_per_cm;
+    EXPECT_EQ(absorption_per_cm(skin, extinction), (PerLayer<double>{b, b, b, b}));
+}
+
+TEST(Chromophores, LayerOfPurePigmentIsThePigment) {
+    Skin skin;
+    skin.melanosome_fraction = 1;
+    skin.papillary_blood_fraction = 1;
+    skin.reticular_blood_fraction = 1;
+    skin.bilirubin_g_per_l = 0;
+    skin.dermis_carotene_g_per_l = 0;
+    const Extinction extinction = Extinction::at(540, Edition::revised);
+    skin.oxygen_saturation = 1;
+    PerLayer<double> absorption = absorption_per_cm(skin, extinction);
+    EXPECT_DOUBLE_EQ(absorption[1], 80 * extinction.eumelanin + 12 * extinction.pheomelanin);
+    EXPECT_DOUBLE_EQ(absorption[2], 150 * extinction.oxyhemoglobin);
+    skin.oxygen_saturation = 0;
+    absorption = absorption_per_cm(skin, extinction);
+    EXPECT_DOUBLE_EQ(absorption[2], 150 * extinction.deoxyhemoglobin);
+    EXPECT_DOUBLE_EQ(absorption[3], 150 * extinction.deoxyhemoglobin);
+}
+
+/// Where a parameter is moved to: depths are linear in each, so any two values give the exact derivative.
+struct Ends {
+    double low;
+    double high;
+};
+
+Ends ends_of(const ParameterInfo& row) {
+    const bool fraction = row.name.ends_with("fraction") || row.name.ends_with("saturation");
+    const double value = value_of(ParameterValues{}, row.parameter);
+    return fraction || value == 0.0 ? Ends{0.0, 1.0} : Ends{0.0, 2.0 * value};
+}
+
+class DepthDerivative : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(DepthDerivative, IsTheSlopeBetweenAnyTwoValues) {
+    const ParameterInfo& row = parameter_table()[GetParam()];
+    const Ends ends = ends_of(row);
+    for (const Edition edition : {Edition::printed, Edition::revised}) {
+        for (const double wavelength_nm : {420.0, 540.0, 660.0, 800.0}) {
+            const Extinction extinction = Extinction::at(wavelength_nm, edition);
+            ParameterValues values;
+            const PerLayer<double> derivative = optical_depth_derivative(values.skin, extinction, row.parameter);
+            value_of(values, row.parameter) = ends.low;
+            const PerLayer<double> low = optical_depth(values.skin, extinction);
+            value_of(values, row.parameter) = ends.high;
+            const PerLayer<double> high = optical_depth(values.skin, extinction);
+            for (std::size_t layer = 0; layer < layer_count; ++layer) {
+                const double width = ends.high - ends.low;
+                // At most 16 roundings of terms whose absolute values sum to at most low + high.
+                const double bound = 16 * std::numeric_limits<double>::epsilon() * (low[layer] + high[layer]) / width;
+                EXPECT_NEAR(derivative[layer], (high[layer] - low[layer]) / width, bound) << layer << wavelength_nm;
+                if (low[layer] == high[layer]) {
+                    EXPECT_EQ(derivative[layer], 0.0);
+                }
+            }
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, DepthDerivative, testing::Range<std::size_t>(0, parameter_count),
+                         [](const auto& test) { return std::string(parameter_table()[test.param].name); });
+
+}  // namespace
+}  // namespace skinfit
