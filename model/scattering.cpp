@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <span>
 
 #include "model/table.hpp"
@@ -29,6 +30,14 @@ Blend blend_measured_wavelengths(std::span<const int> measured_nm, double wavele
     return {measured_nm.back(), measured_nm.back(), 0.0};
 }
 
+/// The angle, degrees, within which `percent` of the light stays, by one column of the table.
+double measured_angle_deg(std::span<const double> percents, std::span<const double> angles_deg, double percent) {
+    const auto above = std::upper_bound(percents.begin() + 1, percents.end() - 1, percent);
+    const auto i = static_cast<std::size_t>(above - percents.begin());
+    const double share = (percent - percents[i - 1]) / (percents[i] - percents[i - 1]);
+    return angles_deg[i - 1] + share * (angles_deg[i] - angles_deg[i - 1]);
+}
+
 }  // namespace
 
 ForwardScattering::ForwardScattering(Layer layer, double wavelength_nm) {
@@ -42,26 +51,30 @@ ForwardScattering::ForwardScattering(Layer layer, double wavelength_nm) {
     const Table& table = embedded_table("forward_scattering");
     const std::vector<double>& lower = table.column(fmt::format("{}_{}_nm", prefix, blend.lower_nm));
     const std::vector<double>& upper = table.column(fmt::format("{}_{}_nm", prefix, blend.upper_nm));
-    const std::vector<double>& angle_deg = table.column("polar_angle_deg");
-    assert(angle_deg.size() == angle_count);
-    for (std::size_t i = 0; i < angle_count; ++i) {
-        angle_[i] = angle_deg[i] * rad_per_deg;
-        share_[i] = ((1.0 - blend.upper_weight) * lower[i] + blend.upper_weight * upper[i]) / 100.0;
+    const std::vector<double>& angles_deg = table.column("polar_angle_deg");
+    std::vector<double> percents;
+    std::ranges::set_union(lower, upper, std::back_inserter(percents));
+    knot_count_ = percents.size();
+    assert(knot_count_ <= most_knots);
+    for (std::size_t i = 0; i < knot_count_; ++i) {
+        share_[i] = percents[i] / 100.0;
+        angle_[i] = rad_per_deg * ((1.0 - blend.upper_weight) * measured_angle_deg(lower, angles_deg, percents[i]) +
+                                   blend.upper_weight * measured_angle_deg(upper, angles_deg, percents[i]));
     }
-    for (std::size_t i = 0; i + 1 < angle_count; ++i) {
+    for (std::size_t i = 0; i + 1 < knot_count_; ++i) {
         slope_[i] = (angle_[i + 1] - angle_[i]) / (share_[i + 1] - share_[i]);
     }
     for (std::size_t i = 0; i < guide_size; ++i) {
         const double share = static_cast<double>(i) / guide_size;
-        const auto above = std::upper_bound(share_.begin(), share_.end(), share);
+        const auto* const above = std::upper_bound(share_.begin(), share_.begin() + knot_count_, share);
         guide_[i] = static_cast<unsigned char>(above - share_.begin() - 1);
     }
 }
 
 double ForwardScattering::share_within(double polar_angle) const {
     if (polar_angle <= 0.0) return 0.0;
-    if (polar_angle >= angle_.back()) return 1.0;
-    const auto above = std::upper_bound(angle_.begin(), angle_.end(), polar_angle);
+    if (polar_angle >= angle_[knot_count_ - 1]) return 1.0;
+    const auto* const above = std::upper_bound(angle_.begin(), angle_.begin() + knot_count_, polar_angle);
     const auto segment = static_cast<std::size_t>(above - angle_.begin() - 1);
     return share_[segment] + (polar_angle - angle_[segment]) / slope_[segment];
 }

@@ -24,8 +24,8 @@ namespace skinfit {
 }
 
 /// Polar angle of scattering in stratum corneum and epidermis: the inverse of the measured cumulative distribution
-/// [BRULS84], linear between its angles, its columns blended linearly in wavelength, constant outside the measured
-/// wavelengths. [KA04, Sec. 3.2]
+/// [BRULS84], linear between its angles. Between measured wavelengths the two inverses, that is the angles at the same
+/// share, are blended linearly; outside the measured wavelengths the nearest is used. [KA04, Sec. 3.2]
 class ForwardScattering {
 public:
     /// `layer` is stratum corneum or epidermis.
@@ -43,12 +43,14 @@ public:
     [[nodiscard]] double share_within(double polar_angle) const;
 
 private:
-    static constexpr std::size_t angle_count = 14;
+    static constexpr std::size_t most_knots = 28;  // the shares of two columns of 14 rows
     static constexpr std::size_t guide_size = 256;
 
-    std::array<double, angle_count> angle_{};        // rad
-    std::array<double, angle_count> share_{};        // 0 to 1
-    std::array<double, angle_count> slope_{};        // rad per share, of the segment that starts here
+    // The inverse is piecewise linear between knots; what lies behind the last knot is never read.
+    std::size_t knot_count_ = 0;
+    std::array<double, most_knots> angle_{};         // rad
+    std::array<double, most_knots> share_{};         // 0 to 1
+    std::array<double, most_knots> slope_{};         // rad per share, of the segment that starts here
     std::array<unsigned char, guide_size> guide_{};  // the segment that holds the share i / guide_size
 };
 

@@ -64,23 +64,28 @@ std::array<double, 4> absorption(const Sample& sample, double nm) {
             blood * r + base * (1 - r)};
 }
 
-/// The cumulative percentages of stratum corneum (0) or epidermis (1) at `nm`.
-std::vector<double> forward_percentages(int layer, double nm) {
+/// The angle, rad, within which `percent` of the light stays, by one column of the table.
+double column_angle(const std::string& column, double percent) {
+    const std::vector<double>& percents = embedded_table("forward_scattering").column(column);
+    const std::vector<double>& degrees = embedded_table("forward_scattering").columns[0];
+    std::size_t i = 0;
+    while (percents[i + 1] < percent) ++i;
+    const double share = (percent - percents[i]) / (percents[i + 1] - percents[i]);
+    return (degrees[i] + share * (degrees[i + 1] - degrees[i])) * pi / 180;
+}
+
+/// The same for stratum corneum (0) or epidermis (1) at `nm`: the angles of two columns blended.
+double forward_angle(std::size_t layer, double nm, double percent) {
     const std::string name = layer == 0 ? "stratum_corneum_" : "epidermis_";
     const std::vector<int> measured =
         layer == 0 ? std::vector<int>{254, 302, 365, 436, 546} : std::vector<int>{302, 365, 436, 546};
-    const auto column = [&](int at) {
-        return embedded_table("forward_scattering").column(name + std::to_string(at) + "_nm");
-    };
-    if (nm <= measured.front()) return column(measured.front());
-    if (nm >= measured.back()) return column(measured.back());
+    const auto at = [&](int column_nm) { return column_angle(name + std::to_string(column_nm) + "_nm", percent); };
+    if (nm <= measured.front()) return at(measured.front());
+    if (nm >= measured.back()) return at(measured.back());
     std::size_t i = 0;
     while (nm > measured[i + 1]) ++i;
     const double weight = (nm - measured[i]) / (measured[i + 1] - measured[i]);
-    std::vector<double> blended = column(measured[i]);
-    const std::vector<double> upper = column(measured[i + 1]);
-    for (std::size_t k = 0; k < blended.size(); ++k) blended[k] += weight * (upper[k] - blended[k]);
-    return blended;
+    return at(measured[i]) + weight * (at(measured[i + 1]) - at(measured[i]));
 }
 
 class Walker {
@@ -89,7 +94,6 @@ public:
         : task_(task),
           layers_(task.sample.layers),
           absorption_(absorption(task.sample, task.wavelength_nm)),
-          percentages_{forward_percentages(0, task.wavelength_nm), forward_percentages(1, task.wavelength_nm)},
           engine_(task.seed) {
         const Skin& s = task.sample.skin;
         index_ = {s.stratum_corneum_refractive_index, s.epidermis_refractive_index, s.papillary_dermis_refractive_index,
@@ -190,7 +194,7 @@ private:
         if (layer < 2) {
             Vector next = direction;
             do {
-                next = turned(direction, forward_angle(layer), 2 * pi * xi());
+                next = turned(direction, forward_angle(layer, task_.wavelength_nm, 100 * xi()), 2 * pi * xi());
             } while (turned_back(next));
             direction = next;
             return false;
@@ -203,16 +207,6 @@ private:
         const Vector normal = {0, 0, down ? -1.0 : 1.0};
         direction = turned(normal, std::acos(std::sqrt(xi())), 2 * pi * xi());
         return false;
-    }
-
-    double forward_angle(std::size_t layer) {
-        const std::vector<double>& percent = percentages_[layer];
-        const std::vector<double>& degrees = embedded_table("forward_scattering").columns[0];
-        const double target = 100 * xi();
-        std::size_t i = 0;
-        while (percent[i + 1] < target) ++i;
-        const double share = (target - percent[i]) / (percent[i + 1] - percent[i]);
-        return (degrees[i] + share * (degrees[i + 1] - degrees[i])) * pi / 180;
     }
 
     double rayleigh_angle() {
@@ -235,7 +229,6 @@ private:
     ObviousTask task_;
     int layers_;
     std::array<double, 4> absorption_;
-    std::array<std::vector<double>, 2> percentages_;
     std::array<double, 4> index_{};
     std::array<double, 4> thickness_{};
     std::mt19937_64 engine_;

@@ -71,18 +71,17 @@ TEST(ForwardScattering, LawIsTheTableAtItsWavelengthsAndConstantOutside) {
     }
 }
 
-TEST(ForwardScattering, LawIsBlendedLinearlyBetweenWavelengths) {
-    const std::vector<double>& angles_deg = embedded_table("forward_scattering").column("polar_angle_deg");
-    for (std::size_t row = 0; row < angles_deg.size(); ++row) {
-        const double angle = angles_deg[row] * rad_per_deg;
-        const double below = measured_share("epidermis_436_nm", row);
-        const double above = measured_share("epidermis_546_nm", row);
-        EXPECT_NEAR(ForwardScattering(Layer::epidermis, 458).share_within(angle), 0.8 * below + 0.2 * above,
-                    8 * epsilon);
-        const double ultraviolet = measured_share("stratum_corneum_254_nm", row);
-        const double next = measured_share("stratum_corneum_302_nm", row);
-        EXPECT_NEAR(ForwardScattering(Layer::stratum_corneum, 278).share_within(angle), 0.5 * (ultraviolet + next),
-                    8 * epsilon);
+TEST(ForwardScattering, AnglesAreBlendedLinearlyBetweenWavelengths) {
+    const ForwardScattering lower(Layer::epidermis, 436);
+    const ForwardScattering upper(Layer::epidermis, 546);
+    const ForwardScattering between(Layer::epidermis, 458);  // a fifth of the way
+    const ForwardScattering ultraviolet(Layer::stratum_corneum, 254);
+    const ForwardScattering next(Layer::stratum_corneum, 302);
+    const ForwardScattering half_way(Layer::stratum_corneum, 278);
+    for (int i = 0; i < 1000; ++i) {
+        const double xi = (i + 0.5) / 1000;
+        EXPECT_NEAR(between.polar_angle(xi), 0.8 * lower.polar_angle(xi) + 0.2 * upper.polar_angle(xi), 32 * epsilon);
+        EXPECT_NEAR(half_way.polar_angle(xi), 0.5 * (ultraviolet.polar_angle(xi) + next.polar_angle(xi)), 32 * epsilon);
     }
 }
 
