@@ -143,7 +143,7 @@ std::string text_report(const FitResult& result) {
     if (result.verdict != Verdict::trustworthy) std::ranges::transform(verdict, verdict.begin(), ::toupper);
     std::string text = fmt::format("{} ({})\nverdict: {}\n", result.spectrum_name, result.spectrum_source, verdict);
     for (const std::string& reason : result.reasons) text += fmt::format("  - {}\n", reason);
-    text += "\n" + parameter_table_text(result) + "\n";
+    text += fmt::format("\n{}\n", parameter_table_text(result));
     text += fmt::format("misfit: rmse {:.5f}, chi2 {:.2f} for {} degrees of freedom{}\n", result.rmse, result.chi2,
                         result.degrees_of_freedom, result.p_value ? fmt::format(" (p = {:.2g})", *result.p_value) : "");
     text += fmt::format("noise: {}; Monte Carlo error of the model: {:.5f}\n", result.sigma_source,

@@ -6,25 +6,23 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <span>
 
 #include "core/input_error.hpp"
 #include "model/ensemble_file.hpp"
-#include "model/table.hpp"
 
 namespace skinfit {
 namespace {
 
 constexpr const char* file_suffix = ".paths";
 
-/// Raised with every change to the walk that changes what a ray does.
-constexpr int walk_version = 1;
-
-std::uint64_t scattering_table_hash() {
-    XXH64_hash_t hash = 0;
-    for (const std::vector<double>& column : embedded_table("forward_scattering").columns) {
-        hash = XXH3_64bits_withSeed(column.data(), column.size() * sizeof(double), hash);
-    }
-    return hash;
+/// A few rays of the recording asked for, hashed: any change to the walk, its tables or its random numbers shows here,
+/// so that what an earlier version of the program has kept is never mistaken for this one's.
+std::uint64_t walk_fingerprint(const Sample& sample, const std::vector<double>& wavelengths_nm, WalkOptions options) {
+    options.rays = PathEnsemble::batch_count;
+    const PathEnsemble probe = PathEnsemble::trace(sample, wavelengths_nm, options);
+    const std::span<const float> lengths = probe.recording().lengths;
+    return XXH3_64bits(lengths.data(), lengths.size_bytes());
 }
 
 /// Removes the longest unused files until `limit_bytes` holds the rest.
@@ -56,9 +54,9 @@ std::string ensemble_key(const Sample& sample, const std::vector<double>& wavele
     const bool has_index = sample.base.kind == Base::Kind::index;
     // Hexadecimal floating point: exact.
     return fmt::format(
-        "walk {}; tables {:x}; edition {}; layers {}; base {} {:a}; incidence {:a}; seed {}; rays {}; "
+        "walk {:x}; edition {}; layers {}; base {} {:a}; incidence {:a}; seed {}; rays {}; "
         "refractive indices {:a}; fibre {:a}; radius {:a}; dermis {:a} {:a}; wavelengths {:a}",
-        walk_version, scattering_table_hash(), sample.edition == Edition::printed ? "printed" : "revised",
+        walk_fingerprint(sample, wavelengths_nm, options), sample.edition == Edition::printed ? "printed" : "revised",
         sample.layers, static_cast<int>(sample.base.kind), has_index ? sample.base.refractive_index : 0.0,
         options.incidence_rad, options.seed, options.rays, fmt::join(refractive_index(skin), " "),
         skin.fibre_refractive_index, skin.fibril_radius_nm, skin.papillary_dermis_thickness_cm,

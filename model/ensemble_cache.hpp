@@ -19,7 +19,7 @@ struct EnsembleCache {
     std::uint64_t limit_bytes = std::uint64_t{2} << 30U;
 };
 
-/// Everything that decides what is recorded, as text: sample, wavelengths, rays, seed, tables and walk version.
+/// Everything that decides what is recorded, as text: sample, wavelengths, rays, seed, and the hash of a few rays.
 [[nodiscard]] std::string ensemble_key(const Sample& sample, const std::vector<double>& wavelengths_nm,
                                        const WalkOptions& options);
 
