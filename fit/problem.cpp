@@ -94,7 +94,7 @@ FitProblem make_problem(const Configuration& configuration, const Spectrum& spec
                        .measured = {},
                        .sigma = {},
                        .sigma_source = spectrum.sigma.empty()
-                                           ? fmt::format("{} at every wavelength (default)", configuration.noise)
+                                           ? fmt::format("{} at every wavelength (setting noise)", configuration.noise)
                                            : "as the file states",
                        .free = {},
                        .walk = {.incidence_rad = configuration.incidence_deg.value() * rad_per_deg,

@@ -100,7 +100,8 @@ std::string cross_check_text(const FitResult& result) {
 std::string model_text(const Configuration& configuration) {
     const Json json = to_json(configuration);
     const auto word = [&json](const char* key) {
-        return json[key].is_string() ? json[key].get<std::string>() : json[key].dump();
+        if (json[key].is_string()) return json[key].get<std::string>();
+        return json[key].is_number_float() ? fmt::format("{:g}", json[key].get<double>()) : json[key].dump();
     };
     return fmt::format(
         "model: edition {}, engine {}, {} rays, seed {}; {} layers on base {}\n"

@@ -52,6 +52,7 @@ struct Inverse {
 };
 
 Inverse invert(const MatrixXd& jacobian) {
+    if (jacobian.cols() == 0) return {.covariance = MatrixXd(0, 0), .response = MatrixXd(0, jacobian.rows())};
     const Eigen::JacobiSVD<MatrixXd> svd(jacobian, Eigen::ComputeThinU | Eigen::ComputeThinV);
     // A direction without any effect gets a variance far beyond identifiable and cannot divide by zero.
     constexpr double least_singular_value = 1e-8;
@@ -64,7 +65,7 @@ Inverse invert(const MatrixXd& jacobian) {
 double distance_into_box(const Linearised& linear, Index column, const MatrixXd& inner, const Inverse& inverse) {
     constexpr double rise = 2.705543;  // square of the 95 % quantile of the normal distribution
     const VectorXd direct = linear.jacobian.col(column);
-    const VectorXd left_over = inner.cols() == 0 ? direct : VectorXd(direct - inner * (inverse.response * direct));
+    const VectorXd left_over = direct - inner * (inverse.response * direct);
     const double slope = std::abs(2.0 * direct.dot(linear.residuals));
     const double curvature = left_over.squaredNorm();
     // The positive root of curvature d^2 + slope d = rise, in the form that survives curvature = 0.
@@ -88,64 +89,84 @@ VectorXd monte_carlo_sigmas(const Objective& objective, const Minimum& minimum, 
     return (changes.rowwise().squaredNorm() / (batches * (batches - 1.0))).cwiseSqrt();
 }
 
+/// Which parameters are pressed against a bound, and which move freely.
+struct Split {
+    std::vector<Status> statuses;
+    std::vector<Index> inner;  // columns of the free ones
+};
+
+Split split_at_bounds(const std::vector<FreeParameter>& free, const Minimum& minimum, const Linearised& linear) {
+    Split split;
+    for (std::size_t i = 0; i < free.size(); ++i) {
+        const auto column = static_cast<Index>(i);
+        const double slope = linear.jacobian.col(column).dot(linear.residuals);
+        split.statuses.push_back(bound_status(free[i], minimum.values[i], slope));
+        if (split.statuses.back() == Status::free) split.inner.push_back(column);
+    }
+    return split;
+}
+
+/// `reach`: how far from its bound the parameter may lie.
+ParameterUncertainty uncertainty_at_bound(Status status, double value, double reach, const Bounds& bounds) {
+    const Bounds interval =
+        status == Status::at_lower_bound ? Bounds{bounds.lower, value + reach} : Bounds{value - reach, bounds.upper};
+    return {.status = status,
+            .sigma = std::nullopt,
+            .monte_carlo_sigma = std::nullopt,
+            .interval_95 = within(interval, bounds)};
+}
+
+ParameterUncertainty not_identifiable(const Bounds& bounds) {
+    return {.status = Status::not_identifiable,
+            .sigma = std::nullopt,
+            .monte_carlo_sigma = std::nullopt,
+            .interval_95 = bounds};
+}
+
+ParameterUncertainty inner_uncertainty(double value, double sigma, double monte_carlo_sigma, const Bounds& bounds) {
+    constexpr double normal_95 = 1.959964;
+    return {.status = Status::free,
+            .sigma = sigma,
+            .monte_carlo_sigma = monte_carlo_sigma,
+            .interval_95 = within({value - normal_95 * sigma, value + normal_95 * sigma}, bounds)};
+}
+
+MatrixXd correlation(const MatrixXd& covariance, const std::vector<Index>& inner, Index count) {
+    MatrixXd result = MatrixXd::Identity(count, count);
+    const VectorXd inverse_sigma = covariance.diagonal().cwiseSqrt().cwiseInverse();
+    result(inner, inner) = inverse_sigma.asDiagonal() * covariance * inverse_sigma.asDiagonal();
+    return result;
+}
+
 }  // namespace
 
 Uncertainty estimate_uncertainty(const Objective& objective, const Minimum& minimum) {
     const std::vector<FreeParameter>& free = objective.problem().free;
     const Linearised linear = linearise(objective, minimum);
-    const auto count = static_cast<Index>(free.size());
-    std::vector<Status> statuses;
-    std::vector<Index> inner_columns;
-    for (Index column = 0; column < count; ++column) {
-        const auto i = static_cast<std::size_t>(column);
-        const double slope = linear.jacobian.col(column).dot(linear.residuals);
-        statuses.push_back(bound_status(free[i], minimum.values[i], slope));
-        if (statuses.back() == Status::free) inner_columns.push_back(column);
-    }
-    const MatrixXd inner = linear.jacobian(Eigen::all, inner_columns);
-    const Inverse inverse = inner_columns.empty() ? Inverse{} : invert(inner);
-    const VectorXd monte_carlo = inner_columns.empty() ? VectorXd() : monte_carlo_sigmas(objective, minimum, inverse);
+    const Split split = split_at_bounds(free, minimum, linear);
+    const MatrixXd inner = linear.jacobian(Eigen::all, split.inner);
+    const Inverse inverse = invert(inner);
+    const VectorXd monte_carlo = monte_carlo_sigmas(objective, minimum, inverse);
 
-    Uncertainty uncertainty{.parameters = {}, .correlation = MatrixXd::Identity(count, count)};
-    for (Index column = 0; column < count; ++column) {
-        const auto i = static_cast<std::size_t>(column);
-        const Bounds& bounds = free[i].bounds;
-        if (statuses[i] == Status::free) {
-            uncertainty.parameters.push_back({.status = Status::not_identifiable,
-                                              .sigma = std::nullopt,
-                                              .monte_carlo_sigma = std::nullopt,
-                                              .interval_95 = bounds});
+    Uncertainty uncertainty{.parameters = {},
+                            .correlation = correlation(inverse.covariance, split.inner, linear.jacobian.cols())};
+    Index next_inner = 0;
+    for (std::size_t i = 0; i < free.size(); ++i) {
+        const auto column = static_cast<Index>(i);
+        const double unit = linear.unit[column];
+        if (split.statuses[i] != Status::free) {
+            const double reach = distance_into_box(linear, column, inner, inverse) * unit;
+            uncertainty.parameters.push_back(
+                uncertainty_at_bound(split.statuses[i], minimum.values[i], reach, free[i].bounds));
             continue;
         }
-        const double reach = distance_into_box(linear, column, inner, inverse) * linear.unit[column];
-        const double value = minimum.values[i];
-        const Bounds interval = statuses[i] == Status::at_lower_bound ? Bounds{bounds.lower, value + reach}
-                                                                      : Bounds{value - reach, bounds.upper};
-        uncertainty.parameters.push_back({.status = statuses[i],
-                                          .sigma = std::nullopt,
-                                          .monte_carlo_sigma = std::nullopt,
-                                          .interval_95 = within(interval, bounds)});
-    }
-    for (Index k = 0; k < static_cast<Index>(inner_columns.size()); ++k) {
-        const auto i = static_cast<std::size_t>(inner_columns[static_cast<std::size_t>(k)]);
-        const double relative_sigma = std::sqrt(inverse.covariance(k, k));
-        if (relative_sigma >= 1.0) continue;
-        const double unit = linear.unit[static_cast<Index>(i)];
-        const double sigma = relative_sigma * unit;
-        constexpr double normal_95 = 1.959964;
-        uncertainty.parameters[i] = {
-            .status = Status::free,
-            .sigma = sigma,
-            .monte_carlo_sigma = monte_carlo[k] * unit,
-            .interval_95 =
-                within({minimum.values[i] - normal_95 * sigma, minimum.values[i] + normal_95 * sigma}, free[i].bounds)};
-    }
-    for (Index a = 0; a < static_cast<Index>(inner_columns.size()); ++a) {
-        for (Index b = 0; b < static_cast<Index>(inner_columns.size()); ++b) {
-            uncertainty.correlation(inner_columns[static_cast<std::size_t>(a)],
-                                    inner_columns[static_cast<std::size_t>(b)]) =
-                inverse.covariance(a, b) / std::sqrt(inverse.covariance(a, a) * inverse.covariance(b, b));
-        }
+        const double relative_sigma = std::sqrt(inverse.covariance(next_inner, next_inner));
+        const double relative_monte_carlo = monte_carlo[next_inner];
+        ++next_inner;
+        uncertainty.parameters.push_back(relative_sigma >= 1.0
+                                             ? not_identifiable(free[i].bounds)
+                                             : inner_uncertainty(minimum.values[i], relative_sigma * unit,
+                                                                 relative_monte_carlo * unit, free[i].bounds));
     }
     return uncertainty;
 }

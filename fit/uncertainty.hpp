@@ -23,7 +23,7 @@ struct ParameterUncertainty {
 /// How well the spectrum determines the free parameters at a minimum.
 struct Uncertainty {
     std::vector<ParameterUncertainty> parameters;  ///< in the order of `FitProblem::free`
-    /// Of the parameters with Status::free; rows and columns of the others are zero but for the diagonal.
+    /// Of the parameters not at a bound; rows and columns of the others are zero but for the diagonal.
     Eigen::MatrixXd correlation;
 };
 
