@@ -104,6 +104,8 @@ TEST(Srgb, EncodingIsContinuousAndGoesOnBeyondItsRange) {
     const auto encoded = [](double linear) { return encoded_srgb({linear, 0, 0}).r; };
     // The two branches meet as well as the two decimals of 12.92 allow: half the last, at the kink.
     EXPECT_NEAR(encoded(std::nextafter(0.0031308, 1.0)), encoded(0.0031308), 0.005 * 0.0031308);
+    EXPECT_DOUBLE_EQ(encoded(0.0031308), 12.92 * 0.0031308);
+    EXPECT_DOUBLE_EQ(encoded(0.0031309), 1.055 * std::pow(0.0031309, 1.0 / 2.4) - 0.055);
     EXPECT_EQ(encoded(-0.5), -0.5 * 12.92);
     EXPECT_GT(encoded(1.5), 1.0);
 }
