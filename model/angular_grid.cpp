@@ -53,8 +53,8 @@ double index_beyond(const Sample& sample, int next) {
 }  // namespace
 
 AngularResolution AngularResolution::for_accuracy(double accuracy) {
-    if (accuracy >= 1e-3) return {.panels = 4, .rayleigh_terms = 4, .points = 5, .crowded_points = 10};
-    if (accuracy >= 1e-4) return {.panels = 6, .rayleigh_terms = 8, .points = 5, .crowded_points = 12};
+    if (accuracy >= 1e-3) return {.panels = 4, .rayleigh_terms = 8, .points = 5, .crowded_points = 12};
+    if (accuracy >= 1e-4) return {.panels = 6, .rayleigh_terms = 12, .points = 5, .crowded_points = 12};
     if (accuracy >= 1e-5) return {.panels = 16, .rayleigh_terms = 20, .points = 6, .crowded_points = 20};
     throw InputError({.where = fmt::format("accuracy {}", accuracy),
                       .problem = "finer than the angular solver's finest resolution",

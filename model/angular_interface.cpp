@@ -51,7 +51,8 @@ void refract(InterfaceNodes& nodes, double ratio, const Moving& critical, const 
     const Eigen::ArrayXd here_by_ratio = nodes.cosine_by_ratio.tail(nodes.transmitting);
     if (ratio <= 1.0) {
         const Eigen::ArrayXd sine_squared = 1.0 - here.square();
-        nodes.refracted = (1.0 - ratio * ratio * sine_squared).sqrt();
+        // Snell's law without cancellation where both cosines are small
+        nodes.refracted = ((1.0 - ratio) * (1.0 + ratio) + ratio * ratio * here.square()).sqrt();
         nodes.refracted_by_ratio = (ratio * ratio * here * here_by_ratio - ratio * sine_squared) / nodes.refracted;
     } else {
         // The same, without cancellation where it is zero: 1 - ratio^2 = -ratio^2 critical^2
