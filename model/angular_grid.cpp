@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/input_error.hpp"
 #include "model/constants.hpp"
@@ -53,13 +55,13 @@ double index_beyond(const Sample& sample, int next) {
 }  // namespace
 
 AngularResolution AngularResolution::for_accuracy(double accuracy) {
-    if (accuracy >= 1e-3) return {.panels = 4, .rayleigh_terms = 8, .points = 5, .crowded_points = 12};
-    if (accuracy >= 1e-4) return {.panels = 6, .rayleigh_terms = 12, .points = 5, .crowded_points = 12};
-    if (accuracy >= 1e-5) return {.panels = 16, .rayleigh_terms = 20, .points = 6, .crowded_points = 20};
+    if (accuracy >= 1e-3) return {.panels = 4, .rayleigh_terms = 8, .points = 7, .crowded_points = 12};
+    if (accuracy >= 1e-4) return {.panels = 6, .rayleigh_terms = 12, .points = 7, .crowded_points = 12};
+    if (accuracy >= 2e-5) return {.panels = 16, .rayleigh_terms = 20, .points = 7, .crowded_points = 20};
     throw InputError({.where = fmt::format("accuracy {}", accuracy),
                       .problem = "finer than the angular solver's finest resolution",
-                      .why = "its error was measured down to 1e-5 only",
-                      .remedy = "ask for 1e-5 or more"});
+                      .why = "its error was measured down to 2e-5 only",
+                      .remedy = "ask for 2e-5 or more"});
 }
 
 AngularGrid::AngularGrid(const Sample& sample, const AngularResolution& resolution)
@@ -83,7 +85,7 @@ AngularGrid::AngularGrid(const Sample& sample, const AngularResolution& resoluti
                  .edges_here = edges(layer),
                  .edges_beyond = edges(next)},
                 {.degree = in_dermis(layer) ? std::max(1, rayleigh_degree) : polynomials_per_panel - 1,
-                 .regular = in_dermis(layer) ? 2 * resolution.points : resolution.points,  // panels are wider there
+                 .regular = in_dermis(layer) ? 2 * resolution.points : resolution.points,  // pieces are wider there
                  .crowded = resolution.crowded_points});
             const bool exit = next < 0 || next == sample.layers;
             Tabulated own_polynomials = polynomials(layer, nodes.cosine);

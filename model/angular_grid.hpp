@@ -21,8 +21,8 @@ struct AngularResolution {
     int points;          ///< quadrature nodes per piece
     int crowded_points;  ///< the same where the integrands are steep
 
-    /// The coarsest resolution whose shares were found within `accuracy` of the converged values (docs/model.md has
-    /// the measurements). Throws InputError below 1e-5, the finest of them.
+    /// The coarsest resolution whose shares were found within `accuracy` of the converged values: 1e-3, 1e-4 or 2e-5
+    /// (docs/model.md has the measurements). Throws InputError below that.
     [[nodiscard]] static AngularResolution for_accuracy(double accuracy);
 };
 

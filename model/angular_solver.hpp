@@ -13,6 +13,7 @@
 
 namespace skinfit {
 
+/// How the sample is lit and how finely directions are resolved.
 struct AngularSolverOptions {
     double incidence_rad = 0.0;  ///< 0 to below pi/2
     AngularResolution resolution = AngularResolution::for_accuracy(1e-4);
@@ -37,8 +38,8 @@ struct AngularResponse {
 /// derivatives by every absorbing and steering parameter. docs/model.md, section "Angular solver", has the equations
 /// and the measured accuracy. Calls are independent of each other and may come from any thread; copies are cheap.
 ///
-/// Derivatives by a refractive index are those of the shares as computed. Where two neighbouring layers have the same
-/// index, they are those towards a denser upper layer... the shares have a kink there.
+/// Derivatives are those of the shares as computed, to rounding. By a layer's refractive index the shares have a kink
+/// where neighbouring layers have the same index, since a critical angle appears; a finite one-sided value is given.
 class AngularSolver {
 public:
     AngularSolver(const Sample& sample, const AngularSolverOptions& options);
