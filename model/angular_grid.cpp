@@ -1,0 +1,114 @@
+#include "model/angular_grid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/input_error.hpp"
+#include "model/constants.hpp"
+
+namespace skinfit {
+namespace {
+
+constexpr int polynomials_per_panel = 4;
+constexpr int first_dermis = static_cast<int>(Layer::papillary_dermis);
+
+PanelBasis panel_basis(int panels) {
+    PanelBasis basis{.edges = {0.0}, .order = polynomials_per_panel};
+    for (int i = 1; i < panels; ++i) basis.edges.push_back(std::sin(0.5 * pi * i / panels));
+    basis.edges.push_back(1.0);
+    return basis;
+}
+
+std::vector<StateSpace> state_spaces(const Sample& sample, Eigen::Index polynomials, Eigen::Index rayleigh_terms) {
+    const bool remembers_bounce = sample.edition == Edition::printed && sample.layers > first_dermis;
+    std::vector<StateSpace> spaces(remembers_bounce ? 2 : 1);
+    for (std::size_t s = 0; s < spaces.size(); ++s) {
+        spaces[s].size = 0;
+        for (int layer = 0; layer < sample.layers; ++layer) {
+            for (const Heading heading : {Heading::down, Heading::up}) {
+                const bool asks = remembers_bounce ? s == 0 : heading == Heading::down;
+                const bool rayleigh = in_dermis(layer) && asks;
+                const Eigen::Index size = !in_dermis(layer) ? polynomials : rayleigh ? 1 + rayleigh_terms : 1;
+                spaces[s].blocks[static_cast<std::size_t>(layer)][static_cast<std::size_t>(heading)] = {
+                    .first = spaces[s].size, .size = size, .rayleigh = rayleigh};
+                spaces[s].size += size;
+            }
+        }
+    }
+    return spaces;
+}
+
+InterfaceKind interface_kind(const Sample& sample, int next) {
+    if (next != sample.layers || sample.base.kind == Base::Kind::index) return InterfaceKind::fresnel;
+    return sample.base.kind == Base::Kind::matched ? InterfaceKind::open : InterfaceKind::mirror;
+}
+
+double index_beyond(const Sample& sample, int next) {
+    if (next < 0) return 1.0;
+    if (next == sample.layers) return sample.base.kind == Base::Kind::index ? sample.base.refractive_index : 1.0;
+    return refractive_index(sample.skin)[static_cast<std::size_t>(next)];
+}
+
+}  // namespace
+
+AngularResolution AngularResolution::for_accuracy(double accuracy) {
+    if (accuracy >= 1e-3) return {.panels = 4, .rayleigh_terms = 8, .points = 7, .crowded_points = 12};
+    if (accuracy >= 1e-4) return {.panels = 6, .rayleigh_terms = 12, .points = 7, .crowded_points = 12};
+    if (accuracy >= 2e-5) return {.panels = 16, .rayleigh_terms = 20, .points = 7, .crowded_points = 20};
+    throw InputError({.where = fmt::format("accuracy {}", accuracy),
+                      .problem = "finer than the angular solver's finest resolution",
+                      .why = "its error was measured down to 2e-5 only",
+                      .remedy = "ask for 2e-5 or more"});
+}
+
+AngularGrid::AngularGrid(const Sample& sample, const AngularResolution& resolution)
+    : basis(panel_basis(resolution.panels)),
+      kernel(ForwardKernel::of(basis)),
+      rayleigh(rayleigh_coefficients(sample.edition, resolution.rayleigh_terms)),
+      spaces(state_spaces(sample, basis.size(), rayleigh.size())) {
+    const PerLayer<double> index = refractive_index(sample.skin);
+    const auto edges = [&](int layer) {
+        const bool panelled = layer >= 0 && layer < sample.layers && !in_dermis(layer);
+        return panelled ? basis.edges : std::vector<double>{};
+    };
+    for (int layer = 0; layer < sample.layers; ++layer) {
+        for (const Heading heading : {Heading::down, Heading::up}) {
+            const int next = heading == Heading::down ? layer + 1 : layer - 1;
+            const double beyond = index_beyond(sample, next);
+            const int rayleigh_degree = 2 * static_cast<int>(rayleigh.size()) - 2;
+            InterfaceNodes nodes = interface_nodes(
+                {.kind = interface_kind(sample, next),
+                 .ratio = index[static_cast<std::size_t>(layer)] / beyond,
+                 .edges_here = edges(layer),
+                 .edges_beyond = edges(next)},
+                {.degree = in_dermis(layer) ? std::max(1, rayleigh_degree) : polynomials_per_panel - 1,
+                 .regular = in_dermis(layer) ? 2 * resolution.points : resolution.points,  // pieces are wider there
+                 .crowded = resolution.crowded_points});
+            const bool exit = next < 0 || next == sample.layers;
+            Tabulated own_polynomials = polynomials(layer, nodes.cosine);
+            Tabulated beyond_polynomials = exit ? Tabulated{} : polynomials(next, nodes.refracted);
+            sides.push_back({.layer = layer,
+                             .heading = heading,
+                             .next = next,
+                             .exit = exit,
+                             .index_beyond = beyond,
+                             .nodes = std::move(nodes),
+                             .own = std::move(own_polynomials),
+                             .beyond = std::move(beyond_polynomials)});
+        }
+    }
+}
+
+Tabulated AngularGrid::polynomials(int layer, const Eigen::ArrayXd& cosine) const {
+    return in_dermis(layer) ? even_legendre(cosine, static_cast<int>(rayleigh.size())) : basis.at(cosine);
+}
+
+std::size_t AngularGrid::space_after_reflection(std::size_t space, const AngularSide& side) const {
+    const bool bounces = in_dermis(side.layer) || in_dermis(side.next);
+    return bounces && space + 1 < spaces.size() ? space + 1 : space;
+}
+
+}  // namespace skinfit

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "model/angular_basis.hpp"
+#include "model/angular_interface.hpp"
+#include "model/angular_kernels.hpp"
+#include "model/skin.hpp"
+
+/// What the angular solver knows before it knows the wavelength: directions, interfaces and kinds of unknowns. It
+/// depends on the sample's edition, layers, base and refractive indices alone. docs/model.md, section "Angular solver".
+namespace skinfit {
+
+/// How finely directions are resolved.
+struct AngularResolution {
+    int panels;          ///< of stratum corneum and epidermis, of equal width in polar angle; cubic polynomials on each
+    int rayleigh_terms;  ///< of the expansion of the `printed` Rayleigh kernel; `revised` needs two and has no more
+    int points;          ///< quadrature nodes per piece
+    int crowded_points;  ///< the same where the integrands are steep
+
+    /// The coarsest resolution whose shares were found within `accuracy` of the converged values: 1e-3, 1e-4 or 2e-5
+    /// (docs/model.md has the measurements). Throws InputError below that.
+    [[nodiscard]] static AngularResolution for_accuracy(double accuracy);
+};
+
+/// Directions of travel.
+enum class Heading : std::size_t { down, up };
+
+[[nodiscard]] constexpr Heading opposite(Heading heading) {
+    return heading == Heading::down ? Heading::up : Heading::down;
+}
+
+/// Whether `layer`, -1 for the air to the number of layers for the base, is dermis or below it.
+[[nodiscard]] constexpr bool in_dermis(int layer) {
+    return layer >= static_cast<int>(Layer::papillary_dermis);
+}
+
+/// The rays of one layer that travel in one direction, as they arrive at the interface ahead.
+struct AngularSide {
+    int layer;
+    Heading heading;
+    int next;             ///< layer beyond; -1 is the air and the number of layers the base
+    bool exit;            ///< whether air or base lies beyond
+    double index_beyond;  ///< 1 where the base has none
+    InterfaceNodes nodes;
+    Tabulated own;     ///< the layer's polynomials at `nodes.cosine`
+    Tabulated beyond;  ///< the next layer's at `nodes.refracted`
+};
+
+/// The unknowns that belong to the starts of runs in one layer and direction: polynomials in stratum corneum and
+/// epidermis; in the dermis one for diffuse scattering and, where the Rayleigh test is asked for, one per Rayleigh
+/// term.
+struct StateBlock {
+    Eigen::Index first;
+    Eigen::Index size;
+    bool rayleigh;
+};
+
+/// All unknowns of rays that have bounced, or that have not, or of all rays where the edition does not ask.
+struct StateSpace {
+    std::array<std::array<StateBlock, 2>, layer_count> blocks;
+    Eigen::Index size;
+
+    [[nodiscard]] const StateBlock& block(int layer, Heading heading) const {
+        return blocks[static_cast<std::size_t>(layer)][static_cast<std::size_t>(heading)];
+    }
+};
+
+struct AngularGrid {
+    PanelBasis basis;
+    std::shared_ptr<const ForwardKernel> kernel;
+    Eigen::ArrayXd rayleigh;         ///< coefficients of the Rayleigh kernel
+    std::vector<AngularSide> sides;  ///< two per layer: down, up
+    std::vector<StateSpace> spaces;  ///< rays of the first enter the second where they bounce, never the other way
+
+    AngularGrid(const Sample& sample, const AngularResolution& resolution);
+
+    /// The polynomials in which the light of `layer` is expressed, at `cosine`.
+    [[nodiscard]] Tabulated polynomials(int layer, const Eigen::ArrayXd& cosine) const;
+    /// The space in which a ray of `space` goes on after reflection at `side`.
+    [[nodiscard]] std::size_t space_after_reflection(std::size_t space, const AngularSide& side) const;
+};
+
+}  // namespace skinfit

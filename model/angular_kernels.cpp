@@ -1,0 +1,145 @@
+#include "model/angular_kernels.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
+
+#include "model/angular_basis.hpp"
+#include "model/constants.hpp"
+#include "model/table.hpp"
+
+namespace skinfit {
+namespace {
+
+/// The mean over all azimuths of each function at the cosine of a ray of cosine `x` deflected by `angle`; the functions
+/// are 0 in the other hemisphere.
+Eigen::RowVectorXd azimuth_mean(double x, double angle, const PanelBasis& basis) {
+    static const Quadrature rule = gauss_legendre(14);
+    const double along = x * std::cos(angle);
+    const double across = std::sqrt(std::max(0.0, 1.0 - x * x)) * std::sin(angle);
+    const auto azimuth = [&](double cosine) { return std::acos(std::clamp((cosine - along) / across, -1.0, 1.0)); };
+    Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(basis.size());
+    for (Eigen::Index panel = 0; panel < basis.panels(); ++panel) {
+        const double first = azimuth(basis.edges[static_cast<std::size_t>(panel) + 1]);
+        const double last = azimuth(basis.edges[static_cast<std::size_t>(panel)]);
+        if (last <= first) continue;
+        const Eigen::ArrayXd cosine = along + across * (first + (last - first) * rule.node).cos();
+        mean.segment(panel * basis.order, basis.order) =
+            (last - first) / pi * rule.weight.matrix().transpose() * basis.on_panel(panel, cosine).value;
+    }
+    return mean;
+}
+
+/// The mean of `azimuth_mean` over the polar angles from `first` to `last`.
+Eigen::RowVectorXd deflection_mean(double x, double first, double last, const PanelBasis& basis) {
+    static const Quadrature rule = gauss_legendre(12);
+    // Where the cone of deflected rays touches a panel's edge, the azimuths in the panel change with a square root.
+    std::vector<double> ends = {first, last};
+    const double polar = std::acos(std::min(x, 1.0));
+    for (const double edge : basis.edges) {
+        for (const double touch : {std::abs(polar - std::acos(edge)), polar + std::acos(edge)}) {
+            if (touch > first && touch < last) ends.push_back(touch);
+        }
+    }
+    std::ranges::sort(ends);
+    Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(basis.size());
+    double from = first;
+    for (const double end : ends) {
+        const double width = end - from;
+        if (width < 1e-12) continue;  // ends that differ by rounding
+        for (Eigen::Index q = 0; q < rule.node.size(); ++q) {
+            const double t = rule.node(q);
+            const double angle = from + width * t * t * (3.0 - 2.0 * t);  // quadratic at both ends
+            sum += width * 6.0 * t * (1.0 - t) * rule.weight(q) * azimuth_mean(x, angle, basis);
+        }
+        from = end;
+    }
+    return sum / (last - first);
+}
+
+}  // namespace
+
+std::shared_ptr<const ForwardKernel> ForwardKernel::of(const PanelBasis& basis) {
+    static std::mutex mutex;
+    static std::map<std::pair<std::vector<double>, int>, std::shared_ptr<const ForwardKernel>> kernels;
+    const std::lock_guard lock(mutex);
+    std::shared_ptr<const ForwardKernel>& kernel = kernels[{basis.edges, basis.order}];
+    if (!kernel) kernel.reset(new ForwardKernel(basis));
+    return kernel;
+}
+
+ForwardKernel::ForwardKernel(const PanelBasis& basis) : basis_(basis), one_(basis.one()) {
+    const std::vector<double>& table_deg = embedded_table("forward_scattering").column("polar_angle_deg");
+    angle_.push_back(0.0);
+    for (std::size_t row = 1; row < table_deg.size(); ++row) {
+        for (int piece = 1; piece <= pieces_per_row; ++piece) {
+            const double share = static_cast<double>(piece) / pieces_per_row;
+            angle_.push_back(std::lerp(table_deg[row - 1], table_deg[row], share) * rad_per_deg);
+        }
+    }
+    const Quadrature rule = gauss_legendre(basis.order + 2);
+    const Eigen::Index points = rule.node.size();
+    const Eigen::Index nodes = points * basis.panels();
+    projection_ = Eigen::MatrixXd::Zero(basis.size(), nodes);
+    segment_.assign(angle_.size() - 1, Eigen::MatrixXd(nodes, basis.size()));
+    for (Eigen::Index panel = 0; panel < basis.panels(); ++panel) {
+        const double low = basis.edges[static_cast<std::size_t>(panel)];
+        const double width = basis.edges[static_cast<std::size_t>(panel) + 1] - low;
+        const Eigen::ArrayXd cosine = low + width * rule.node;
+        projection_.block(panel * basis.order, panel * points, basis.order, points) =
+            basis.on_panel(panel, cosine).value.transpose() * (width * rule.weight).matrix().asDiagonal();
+        for (Eigen::Index q = 0; q < points; ++q) {
+            const Eigen::MatrixXd means = segment_means(cosine(q));
+            for (std::size_t i = 0; i < segment_.size(); ++i) {
+                segment_[i].row(panel * points + q) = means.row(static_cast<Eigen::Index>(i));
+            }
+        }
+    }
+}
+
+Eigen::MatrixXd ForwardKernel::segment_means(double cosine) const {
+    const auto segments = static_cast<Eigen::Index>(angle_.size()) - 1;
+    Eigen::MatrixXd means(segments, basis_.size());
+    for (Eigen::Index i = 0; i < segments; ++i) {
+        const double first = angle_[static_cast<std::size_t>(i)];
+        const double last = angle_[static_cast<std::size_t>(i) + 1];
+        means.row(i) = deflection_mean(cosine, first, last, basis_);
+    }
+    return means;
+}
+
+Eigen::RowVectorXd ForwardKernel::segment_shares(const ForwardScattering& scattering) const {
+    Eigen::RowVectorXd shares(static_cast<Eigen::Index>(segment_.size()));
+    for (std::size_t i = 0; i < segment_.size(); ++i) {
+        shares(static_cast<Eigen::Index>(i)) =
+            scattering.share_within(angle_[i + 1]) - scattering.share_within(angle_[i]);
+    }
+    return shares;
+}
+
+Eigen::RowVectorXd ForwardKernel::mean(const ForwardScattering& scattering, const Eigen::MatrixXd& means) const {
+    return segment_shares(scattering) * means;
+}
+
+Eigen::MatrixXd ForwardKernel::matrix(const ForwardScattering& scattering) const {
+    const Eigen::RowVectorXd shares = segment_shares(scattering);
+    Eigen::MatrixXd kernel = Eigen::MatrixXd::Zero(projection_.cols(), projection_.rows());
+    for (std::size_t i = 0; i < segment_.size(); ++i) kernel += shares(static_cast<Eigen::Index>(i)) * segment_[i];
+    return projection_ * (kernel * one_).cwiseInverse().asDiagonal() * kernel;
+}
+
+Eigen::ArrayXd rayleigh_coefficients(Edition edition, int most) {
+    // The addition theorem of the Legendre polynomials: c_j = (4j + 1) / 2 times the mean of P_2j(deflection cosine).
+    if (edition == Edition::revised) return Eigen::ArrayXd{{0.5, 0.25}};
+    // Polar angles uniform but for the weight 1 + cos^2: Gauss-Chebyshev, exact for these polynomials.
+    const int points = 2 * most + 2;
+    const Eigen::ArrayXd cosine = (pi / points * Eigen::ArrayXd::LinSpaced(points, 0.5, points - 0.5)).cos();
+    const Eigen::ArrayXd weight = (1.0 + cosine.square()) / (1.5 * points);
+    const Eigen::ArrayXd mean = even_legendre(cosine, most).value.transpose() * weight.matrix();
+    return mean * (2.0 * Eigen::ArrayXd::LinSpaced(most, 0.0, most - 1.0) + 0.5);
+}
+
+}  // namespace skinfit

@@ -1,0 +1,183 @@
+#include "model/angular_system.hpp"
+
+#include <Eigen/LU>
+
+namespace skinfit {
+namespace {
+
+/// The share that passes a layer at the given cosines: of absorption [KA04, Eq. 5] or of Rayleigh's test [KA04, Eq. 3].
+Eigen::ArrayXd passing(const Eigen::ArrayXd& cosine, double depth) {
+    return (-depth / cosine).exp();
+}
+
+Eigen::Index exit_column(Heading heading) {
+    return heading == Heading::up ? 0 : 1;
+}
+
+}  // namespace
+
+AngularSystem::AngularSystem(const AngularGrid& grid, const AngularMedium& medium, const AngularEntry& entry)
+    : grid_(&grid), medium_(&medium), entry_(&entry), prospect_(grid.spaces.size()) {
+    std::vector<Eigen::PartialPivLU<Eigen::MatrixXd>> inverse(grid.spaces.size());
+    Eigen::VectorXd entering;
+    for (std::size_t s = grid.spaces.size(); s-- > 0;) {
+        Assembled system = assemble(s);
+        const StateBlock& first = grid.spaces[s].block(0, Heading::down);
+        const Eigen::MatrixXd first_matrix = system.matrix.middleRows(first.first, first.size);
+        const Eigen::MatrixX2d first_payoff = system.payoff.middleRows(first.first, first.size);
+        for (int layer = 0; layer < static_cast<int>(Layer::papillary_dermis); ++layer) {
+            const Eigen::MatrixXd& forward = medium.forward[static_cast<std::size_t>(layer)];
+            for (const Heading heading : {Heading::down, Heading::up}) {
+                const StateBlock& block = grid.spaces[s].block(layer, heading);
+                auto rows = system.matrix.middleRows(block.first, block.size);
+                auto payoff = system.payoff.middleRows(block.first, block.size);
+                rows = forward * rows;  // Eigen evaluates a product before it assigns
+                payoff = forward * payoff;
+            }
+        }
+        system.matrix = Eigen::MatrixXd::Identity(grid.spaces[s].size, grid.spaces[s].size) - system.matrix;
+        inverse[s].compute(system.matrix);
+        prospect_[s] = inverse[s].solve(system.payoff);
+        if (s > 0) continue;
+        entering = (entry.scattered * first_matrix).transpose();
+        by_entry_cosine_ = entry.by_cosine * (first_matrix * prospect_[0] + first_payoff);
+    }
+    for (std::size_t s = 0; s < grid.spaces.size(); ++s) {
+        visits_.emplace_back(inverse[s].transpose().solve(s == 0 ? entering : bouncing(s - 1)));
+    }
+}
+
+Eigen::VectorXd AngularSystem::bouncing(std::size_t space) const {
+    Eigen::VectorXd entering = Eigen::VectorXd::Zero(grid_->spaces[space + 1].size);
+    for (const AngularSide& side : grid_->sides) {
+        if (grid_->space_after_reflection(space, side) == space) continue;
+        const InterfaceNodes& nodes = side.nodes;
+        const ArrivingLight light = arriving({space, side.layer, side.heading}, nodes.cosine, side.own);
+        const double depth = medium_->optical_depth[static_cast<std::size_t>(side.layer)];
+        const Eigen::ArrayXd reflected =
+            nodes.weight * nodes.reflectance * (light.completed * passing(nodes.cosine, depth) + light.turned);
+        const RayKind kind = {space + 1, side.layer, opposite(side.heading)};
+        const StateBlock& block = grid_->spaces[space + 1].block(kind.layer, kind.heading);
+        entering.segment(block.first, block.size) +=
+            starts(kind, nodes.cosine, side.own).transpose() * reflected.matrix();
+    }
+    return entering;
+}
+
+/// How the chances of a ray that starts a run at a cosine are made up of the unknowns: one row per cosine.
+Eigen::MatrixXd AngularSystem::starts(const RayKind& kind, const Eigen::ArrayXd& cosine,
+                                      const Tabulated& polynomials) const {
+    if (!in_dermis(kind.layer)) return polynomials.value;
+    const StateBlock& block = grid_->spaces[kind.space].block(kind.layer, kind.heading);
+    if (!block.rayleigh) return Eigen::MatrixXd::Ones(cosine.size(), 1);
+    const Eigen::ArrayXd diffuse = passing(cosine, medium_->rayleigh_depth[static_cast<std::size_t>(kind.layer)]);
+    Eigen::MatrixXd result(cosine.size(), block.size);
+    result.col(0) = diffuse;
+    result.rightCols(block.size - 1) = scaled(1.0 - diffuse) * polynomials.value * scaled(grid_->rayleigh);
+    return result;
+}
+
+AngularSystem::Assembled AngularSystem::assemble(std::size_t space) const {
+    const StateSpace& states = grid_->spaces[space];
+    Assembled system{.matrix = Eigen::MatrixXd::Zero(states.size, states.size),
+                     .payoff = Eigen::MatrixX2d::Zero(states.size, 2)};
+    for (const AngularSide& side : grid_->sides) {
+        const Eigen::ArrayXd& weight = side.nodes.weight;
+        const Eigen::ArrayXd surviving =
+            weight * passing(side.nodes.cosine, medium_->optical_depth[static_cast<std::size_t>(side.layer)]);
+        const StateBlock& own = states.block(side.layer, side.heading);
+        const StateBlock& other = states.block(side.layer, opposite(side.heading));
+        if (!in_dermis(side.layer)) {
+            add_senders(space, side, own.first, scaled(surviving) * side.own.value, system);
+            continue;
+        }
+        add_senders(space, side, own.first, 2.0 * surviving * side.nodes.cosine, system);  // [KA04, Eq. 4]
+        if (own.rayleigh) add_senders(space, side, own.first + 1, scaled(surviving) * side.own.value, system);
+        if (other.rayleigh) add_senders(space, side, other.first + 1, scaled(weight) * side.own.value, system);
+    }
+    return system;
+}
+
+/// Adds what becomes, at `side`, of the light that the unknowns from `first` on send to its nodes; one column of
+/// `senders` per unknown, times the nodes' weights.
+void AngularSystem::add_senders(std::size_t space, const AngularSide& side, Eigen::Index first,
+                                const Eigen::MatrixXd& senders, Assembled& system) const {
+    const InterfaceNodes& nodes = side.nodes;
+    const StateSpace& states = grid_->spaces[space];
+    auto rows = system.matrix.middleRows(first, senders.cols());
+    auto payoff = system.payoff.middleRows(first, senders.cols());
+
+    const RayKind back = {grid_->space_after_reflection(space, side), side.layer, opposite(side.heading)};
+    const Eigen::MatrixXd reflected = senders.transpose() * scaled(nodes.reflectance);
+    if (back.space == space) {
+        const StateBlock& block = states.block(back.layer, back.heading);
+        rows.middleCols(block.first, block.size) += reflected * starts(back, nodes.cosine, side.own);
+    } else {
+        payoff += reflected * prospects(back, nodes.cosine, side.own).value;
+    }
+
+    if (nodes.transmitting == 0) return;
+    const Eigen::MatrixXd transmitted =
+        senders.bottomRows(nodes.transmitting).transpose() * scaled(1.0 - nodes.reflectance.tail(nodes.transmitting));
+    if (side.exit) {
+        payoff.col(exit_column(side.heading)) += transmitted.rowwise().sum();
+        return;
+    }
+    const StateBlock& block = states.block(side.next, side.heading);
+    rows.middleCols(block.first, block.size) +=
+        transmitted * starts({space, side.next, side.heading}, nodes.refracted, side.beyond);
+}
+
+ArrivingLight AngularSystem::arriving(const RayKind& kind, const Eigen::ArrayXd& cosine,
+                                      const Tabulated& polynomials) const {
+    const StateBlock& own = grid_->spaces[kind.space].block(kind.layer, kind.heading);
+    const StateBlock& other = grid_->spaces[kind.space].block(kind.layer, opposite(kind.heading));
+    const Eigen::VectorXd& visits = visits_[kind.space];
+    const Eigen::ArrayXd none = Eigen::ArrayXd::Zero(cosine.size());
+    ArrivingLight light{.completed = none, .turned = none, .completed_by_cosine = none, .turned_by_cosine = none};
+    if (!in_dermis(kind.layer)) {
+        const Eigen::MatrixXd& forward = medium_->forward[static_cast<std::size_t>(kind.layer)];
+        Eigen::VectorXd sent = forward.transpose() * visits.segment(own.first, own.size);
+        if (kind.space == 0 && kind.layer == 0 && kind.heading == Heading::down) sent += entry_->scattered.transpose();
+        light.completed = polynomials.value * sent;
+        light.completed_by_cosine = polynomials.derivative * sent;
+        return light;
+    }
+    light.completed = 2.0 * visits(own.first) * cosine;  // [KA04, Eq. 4]
+    light.completed_by_cosine += 2.0 * visits(own.first);
+    if (own.rayleigh) {
+        const auto sent = visits.segment(own.first + 1, own.size - 1);
+        light.completed += (polynomials.value * sent).array();
+        light.completed_by_cosine += (polynomials.derivative * sent).array();
+    }
+    if (other.rayleigh) {
+        const auto sent = visits.segment(other.first + 1, other.size - 1);
+        light.turned = polynomials.value * sent;
+        light.turned_by_cosine = polynomials.derivative * sent;
+    }
+    return light;
+}
+
+AngularShares AngularSystem::shares(bool with_derivatives) const {
+    AngularShares shares(grid_->sides.size());
+    shares.by_entry_cosine = by_entry_cosine_;
+    for (std::size_t space = 0; space < grid_->spaces.size(); ++space) {
+        for (std::size_t i = 0; i < grid_->sides.size(); ++i) {
+            const AngularSide& side = grid_->sides[i];
+            const InterfaceNodes& nodes = side.nodes;
+            const auto layer = static_cast<std::size_t>(side.layer);
+            const ArrivingLight light = arriving({space, side.layer, side.heading}, nodes.cosine, side.own);
+            const Eigen::ArrayXd surviving = passing(nodes.cosine, medium_->optical_depth[layer]);
+            shares.absorbed[layer] += (nodes.weight * light.completed * (1.0 - surviving)).sum();
+            if (side.exit) {
+                const Eigen::ArrayXd arriving = light.completed * surviving + light.turned;
+                shares.escaped(exit_column(side.heading)) +=
+                    (nodes.weight * (1.0 - nodes.reflectance) * arriving).sum();
+            }
+            if (with_derivatives) add_derivatives(space, i, light, shares);
+        }
+    }
+    return shares;
+}
+
+}  // namespace skinfit
