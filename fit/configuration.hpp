@@ -15,8 +15,9 @@ namespace skinfit {
 
 /// How the model is computed.
 enum class Engine {
-    paths,  ///< recorded walks: smooth in the pigments
-    walk,   ///< the analog walk: simulation only
+    paths,   ///< recorded walks: smooth in the pigments
+    walk,    ///< the analog walk: simulation only
+    solver,  ///< the angular solver: without noise, smooth in every parameter
 };
 
 /// What minimises the misfit.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/angular_solver.hpp"
+
 namespace skinfit {
 
 double surface_weight(const Experiment& experiment) {
@@ -53,6 +55,24 @@ std::vector<Reading> read_by_walk(const Experiment& experiment, const std::vecto
                             .transmittance = instrument.scale * transmitted + instrument.offset,
                             .transmittance_se = standard_error(transmitted_variance),
                             .surface_reflectance = surface});
+    }
+    return readings;
+}
+
+std::vector<Reading> read_by_solver(const Experiment& experiment, const std::vector<double>& wavelengths_nm) {
+    const Instrument& instrument = experiment.values.instrument;
+    const std::vector<double> true_nm = true_wavelengths_nm(experiment, wavelengths_nm);
+    const AngularSolver solver(experiment.sample(), {.incidence_rad = experiment.incidence_rad});
+    std::vector<Reading> readings;
+    for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
+        const AngularResponse light = solver.shares(true_nm[i]);
+        const double reflected = light.reflected.share + surface_weight(experiment) * light.surface.share;
+        readings.push_back({.wavelength_nm = wavelengths_nm[i],
+                            .reflectance = instrument.scale * reflected + instrument.offset,
+                            .reflectance_se = 0.0,
+                            .transmittance = instrument.scale * light.transmitted.share + instrument.offset,
+                            .transmittance_se = 0.0,
+                            .surface_reflectance = light.surface.share});
     }
     return readings;
 }

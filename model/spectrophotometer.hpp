@@ -51,6 +51,10 @@ struct Reading {
                                                  const std::vector<double>& wavelengths_nm,
                                                  const PathEnsemble& ensemble);
 
+/// The readings by the angular solver: without noise, so that all standard errors are zero.
+[[nodiscard]] std::vector<Reading> read_by_solver(const Experiment& experiment,
+                                                  const std::vector<double>& wavelengths_nm);
+
 /// The layers' optical depths at each wavelength at which the model is evaluated.
 [[nodiscard]] std::vector<PerLayer<double>> optical_depths(const Skin& skin,
                                                            const std::vector<Extinction>& extinctions);
