@@ -11,6 +11,9 @@ using Index = Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// The width of the bounds in the standard deviation of a uniform distribution over them.
+const double box_width = std::sqrt(12.0);
+
 /// The problem linearised at the minimum. Each parameter is measured in standard deviations of a uniform
 /// distribution over its bounds, each residual in sigmas: a singular value below one is a direction in which the data
 /// say less than the bounds.
@@ -28,7 +31,7 @@ Linearised linearise(const Objective& objective, const Minimum& minimum) {
                       .unit = VectorXd(modelled.jacobian.cols())};
     for (Index column = 0; column < linear.unit.size(); ++column) {
         const Bounds& bounds = problem.free[static_cast<std::size_t>(column)].bounds;
-        linear.unit[column] = (bounds.upper - bounds.lower) / std::sqrt(12.0);
+        linear.unit[column] = (bounds.upper - bounds.lower) / box_width;
     }
     for (Index row = 0; row < linear.jacobian.rows(); ++row) {
         linear.jacobian.row(row) = linear.jacobian.row(row).cwiseProduct(linear.unit.transpose()) /
@@ -69,7 +72,7 @@ double distance_into_box(const Linearised& linear, Index column, const MatrixXd&
     const double curvature = left_over.squaredNorm();
     // The positive root of curvature d^2 + slope d = rise, in the form that survives curvature = 0.
     const double denominator = slope + std::sqrt(slope * slope + 4.0 * curvature * rise);
-    return denominator > 0.0 ? 2.0 * rise / denominator : std::sqrt(12.0);
+    return denominator > 0.0 ? 2.0 * rise / denominator : box_width;
 }
 
 Bounds within(const Bounds& interval, const Bounds& limits) {
@@ -110,14 +113,16 @@ Uncertainty estimate_uncertainty(const Objective& objective, const Minimum& mini
     for (Index column = 0; column < count; ++column) {
         const auto i = static_cast<std::size_t>(column);
         const Bounds& bounds = free[i].bounds;
-        if (statuses[i] == Status::free) {
+        const double distance =
+            statuses[i] == Status::free ? box_width : distance_into_box(linear, column, inner, inverse);
+        if (distance >= box_width) {
             uncertainty.parameters.push_back({.status = Status::not_identifiable,
                                               .sigma = std::nullopt,
                                               .monte_carlo_sigma = std::nullopt,
                                               .interval_95 = bounds});
             continue;
         }
-        const double reach = distance_into_box(linear, column, inner, inverse) * linear.unit[column];
+        const double reach = distance * linear.unit[column];
         const double value = minimum.values[i];
         const Bounds interval = statuses[i] == Status::at_lower_bound ? Bounds{bounds.lower, value + reach}
                                                                       : Bounds{value - reach, bounds.upper};
