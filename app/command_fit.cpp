@@ -21,9 +21,11 @@ struct FitCommand {
 
 Configuration fit_configuration(const FitCommand& command) {
     Configuration configuration = configuration_from(command.shared);
-    if (!command.solver.empty()) configuration = configured(configuration, {{"solver", command.solver}}, "--solver");
+    if (!command.solver.empty()) {
+        configuration = configured_by_word(configuration, "solver", command.solver, "--solver");
+    }
     if (!command.column.empty()) configuration.column = command.column;
-    if (!command.unit.empty()) configuration = configured(configuration, {{"unit", command.unit}}, "--unit");
+    if (!command.unit.empty()) configuration = configured_by_word(configuration, "unit", command.unit, "--unit");
     for (const std::string& names : command.free) configuration = with_freedom(configuration, names, true, "--free");
     for (const std::string& names : command.fix) configuration = with_freedom(configuration, names, false, "--fix");
     return configuration;
@@ -37,7 +39,7 @@ int run(const FitCommand& command) {
     const FitResult result = fit_spectrum(configuration, spectrum,
                                           {.cross_check = command.cross_check, .cache = cache_from(command.shared)});
     write_output(command.shared,
-                 command.shared.format == "json" ? json_report(result).dump(2) + "\n" : text_report(result));
+                 command.shared.format == "json" ? json_text(json_report(result)) : text_report(result));
     return result.verdict == Verdict::trustworthy ? trustworthy_result : result_with_warning;
 }
 

@@ -18,7 +18,7 @@ struct SimulateCommand {
 Configuration simulate_configuration(const SimulateCommand& command) {
     Configuration configuration = configuration_from(command.shared);
     const auto take = [&](const char* key, const std::string& text) {
-        if (!text.empty()) configuration = configured_by_assignment(configuration, std::string(key) + "=" + text);
+        if (!text.empty()) configuration = configured_by_word(configuration, key, text, std::string("--") + key);
     };
     take("engine", command.engine);
     take("wavelengths", command.wavelengths);
@@ -49,9 +49,8 @@ int run(const SimulateCommand& command) {
     check_output(command.shared);
     const auto limit = thread_limit(command.shared);
     const std::vector<Reading> spectrum = readings(configuration, cache_from(command.shared));
-    write_output(command.shared, command.shared.format == "json"
-                                     ? simulation_json(spectrum, configuration).dump(2) + "\n"
-                                     : simulation_csv(spectrum, configuration));
+    write_output(command.shared, command.shared.format == "json" ? json_text(simulation_json(spectrum, configuration))
+                                                                 : simulation_csv(spectrum, configuration));
     return trustworthy_result;
 }
 

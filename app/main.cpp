@@ -2,16 +2,13 @@
 
 #include <exception>
 
+#include "app/command_line_error.hpp"
 #include "app/commands.hpp"
+#include "app/shared_options.hpp"
 #include "core/input_error.hpp"
 #include "core/version.hpp"
 
 namespace {
-
-/// The first line of what CLI11 says, which may have several.
-std::string first_line(std::string text) {
-    return text.substr(0, text.find('\n'));
-}
 
 int run(int argc, char** argv) {
     int exit_code = skinfit::trustworthy_result;
@@ -25,11 +22,10 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
-        return app.exit(help);
+        app.exit(help);
+        skinfit::write_stdout("");  // flushes, and complains where that fails
     } catch (const CLI::ParseError& error) {
-        fmt::print(stderr, "error: command line: {} (it is not understood); see `skinfit --help`\n",
-                   first_line(error.what()));
-        return skinfit::bad_input;
+        throw skinfit::InputError(skinfit::command_line_complaint(app, error));
     }
     return exit_code;
 }

@@ -55,25 +55,36 @@ std::unique_ptr<tbb::global_control> thread_limit(const SharedOptions& options) 
                                                  static_cast<std::size_t>(options.threads));
 }
 
+std::string json_text(const Json& json) {
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_stdout(const std::string& text) {
+    if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
+    throw InputError({.where = "standard output",
+                      .problem = "cannot be written",
+                      .why = std::strerror(errno),
+                      .remedy = "check where it leads, or name a file with --out"});
+}
+
 void write_output(const SharedOptions& options, const std::string& text) {
-    if (!options.out.empty()) {
+    if (options.out.empty()) {
+        write_stdout(text);
+    } else {
         write_file_atomically(options.out, text);
-        return;
-    }
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
-        throw InputError({.where = "standard output",
-                          .problem = "cannot be written",
-                          .why = std::strerror(errno),
-                          .remedy = "check where it leads, or name a file with --out"});
     }
 }
 
 void check_output(const SharedOptions& options) {
     if (options.out.empty()) return;
     std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(options.out, error);
+    const bool is_folder = std::filesystem::is_directory(status);
+    // A file is replaced, which takes a writable folder; a pipe or device is written to.
+    const bool is_stream = std::filesystem::exists(status) && !is_folder && !std::filesystem::is_regular_file(status);
     const std::filesystem::path folder = std::filesystem::absolute(options.out, error).parent_path();
-    const bool is_folder = std::filesystem::is_directory(options.out, error);
-    if (!is_folder && ::access(folder.c_str(), W_OK) == 0) return;
+    const std::string written = is_stream ? options.out.string() : folder.string();
+    if (!is_folder && ::access(written.c_str(), W_OK) == 0) return;
     throw InputError({.where = options.out.string(),
                       .problem = "cannot be written",
                       .why = is_folder ? "it is a folder" : std::strerror(errno),

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fit/configuration.hpp"
+#include "fit/settings.hpp"
 #include "model/ensemble_cache.hpp"
 
 namespace skinfit {
@@ -34,6 +35,12 @@ void add_shared_options(CLI::App& command, SharedOptions& options, const std::ve
 
 /// Limits the number of threads for as long as it lives.
 [[nodiscard]] std::unique_ptr<tbb::global_control> thread_limit(const SharedOptions& options);
+
+/// `json` as indented text with a line end; bytes that are not UTF-8 are replaced.
+[[nodiscard]] std::string json_text(const Json& json);
+
+/// Writes `text` to stdout. Throws InputError where that cannot be done.
+void write_stdout(const std::string& text);
 
 /// Writes `text` to --out, or to stdout. Throws InputError where that cannot be done; then nothing is half-written.
 void write_output(const SharedOptions& options, const std::string& text);

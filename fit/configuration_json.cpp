@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/input_error.hpp"
 #include "core/text.hpp"
@@ -11,18 +12,25 @@
 namespace skinfit {
 namespace {
 
+/// The known key that `key` probably means: one of which it is a part, else the one the fewest edits away.
+std::string_view closest(std::string_view key, const std::vector<std::string_view>& known) {
+    const auto longer = std::ranges::find_if(
+        known, [key](std::string_view name) { return !key.empty() && name.find(key) != std::string_view::npos; });
+    return longer != known.end() ? *longer : nearest_name(key, known);
+}
+
 [[noreturn]] void refuse_unknown(const std::string& where, std::string_view key,
                                  const std::vector<std::string_view>& known) {
     throw InputError({.where = where,
-                      .problem = fmt::format("unknown key \"{}\"", key),
+                      .problem = fmt::format("unknown name {}", shown(std::string(key))),
                       .why = "it would have no effect",
-                      .remedy = fmt::format("did you mean \"{}\"?", nearest_name(key, known))});
+                      .remedy = fmt::format("did you mean \"{}\"?", closest(key, known))});
 }
 
 void require_object(const Json& json, const std::string& where) {
     if (json.is_object()) return;
     throw InputError({.where = where,
-                      .problem = fmt::format("{} is no object", json.dump()),
+                      .problem = fmt::format("{} is no object", shown(json)),
                       .why = "keys and values are needed here",
                       .remedy = "see `skinfit config show` for the form"});
 }
@@ -37,7 +45,7 @@ double read_value(const Json& value, const ParameterInfo& info, const std::strin
     const bool good = value.is_number() && value.get<double>() >= info.lowest && value.get<double>() <= info.highest;
     if (good) return value.get<double>();
     throw InputError({.where = where,
-                      .problem = fmt::format("{} is no good", value.dump()),
+                      .problem = fmt::format("{} cannot be used", shown(value)),
                       .why = value.is_number() ? "out of range" : "a number is needed",
                       .remedy = fmt::format("give a number from {} to {}{}{}", info.lowest, info.highest,
                                             info.unit.empty() ? "" : " ", info.unit)});
@@ -87,7 +95,7 @@ void read_free(Configuration& configuration, const Json& json, const std::string
         json.is_array() && std::ranges::all_of(json, [](const Json& name) { return name.is_string(); });
     if (!is_list) {
         throw InputError({.where = where,
-                          .problem = fmt::format("{} is no list of names", json.dump()),
+                          .problem = fmt::format("{} is no list of names", shown(json)),
                           .why = "the free parameters are needed here",
                           .remedy = "give names as in [\"melanosome_fraction\"]"});
     }
@@ -98,8 +106,30 @@ void read_free(Configuration& configuration, const Json& json, const std::string
 Json scalar(std::string_view text) {
     const Json json = Json::parse(text, nullptr, false);
     if (json.is_number() || json.is_null()) return json;
-    if (const std::optional<double> number = parse_number(text)) return *number;
+    const std::optional<double> number = parse_number(text);
+    if (number && std::isfinite(*number)) return *number;
     return std::string(text);
+}
+
+Json parsed(std::string_view text, const std::string& where) {
+    try {
+        return Json::parse(text, nullptr, true, true);
+    } catch (const Json::parse_error& error) {
+        const auto line = 1 + std::ranges::count(text.substr(0, std::max<std::size_t>(error.byte, 1) - 1), '\n');
+        // "[...] parse error at ...: syntax error while parsing ... - what was found; what was expected"
+        const std::string words = error.what();
+        const std::size_t found = words.rfind(" - ");
+        const std::string why = found == std::string::npos ? words : words.substr(found + 3);
+        throw InputError({.where = fmt::format("{}:{}", where, line),
+                          .problem = "is no JSON",
+                          .why = why.substr(0, why.find(';')),
+                          .remedy = "correct this line; `skinfit config show` prints an example"});
+    } catch (const Json::exception&) {
+        throw InputError({.where = where,
+                          .problem = "holds a number that is too large",
+                          .why = "it exceeds double precision",
+                          .remedy = "correct it; `skinfit config show` prints an example"});
+    }
 }
 
 }  // namespace
@@ -137,19 +167,24 @@ Configuration configured(Configuration configuration, const Json& json, const st
 }
 
 Configuration configured_by_text(const Configuration& configuration, std::string_view text, const std::string& where) {
-    Json json;
-    try {
-        json = Json::parse(text, nullptr, true, true);
-    } catch (const Json::parse_error& error) {
-        const auto line =
-            1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size())),
-                           '\n');
-        throw InputError({.where = fmt::format("{}:{}", where, line),
-                          .problem = "not JSON",
-                          .why = "the text ends or continues in an unexpected way here",
-                          .remedy = "compare it with `skinfit config show`"});
+    return configured(configuration, parsed(text, where), where);
+}
+
+Configuration configured_by_word(Configuration configuration, std::string_view key, std::string_view text,
+                                 const std::string& where) {
+    const Json value = scalar(text);
+    if (const std::optional<Parameter> parameter = find_parameter(key)) {
+        read_parameter(configuration, info(*parameter), value, where);
+        return configuration;
     }
-    return configured(configuration, json, where);
+    const auto setting = std::ranges::find(setting_table(), key, &Setting::name);
+    if (setting == setting_table().end()) {
+        std::vector<std::string_view> known = parameter_names();
+        for (const Setting& each : setting_table()) known.push_back(each.name);
+        refuse_unknown(where, key, known);
+    }
+    setting->read(configuration, value, where);
+    return configuration;
 }
 
 Configuration configured_by_assignment(const Configuration& configuration, std::string_view assignment) {
@@ -160,18 +195,8 @@ Configuration configured_by_assignment(const Configuration& configuration, std::
                           .why = "a key and a value are needed",
                           .remedy = "write it as in --set melanosome_fraction=0.1"});
     }
-    const std::string key(trimmed(assignment.substr(0, equals)));
-    const std::string_view text = trimmed(assignment.substr(equals + 1));
-    const Json value = scalar(text);
-    const std::string where = fmt::format("--set {}", assignment);
-    if (find_parameter(key)) return configured(configuration, {{"parameters", {{key, value}}}}, "--set");
-    const auto setting = std::ranges::find(setting_table(), key, &Setting::name);
-    if (setting == setting_table().end()) {
-        std::vector<std::string_view> known = parameter_names();
-        for (const Setting& each : setting_table()) known.push_back(each.name);
-        refuse_unknown(where, key, known);
-    }
-    return configured(configuration, {{key, value}}, "--set");
+    const std::string_view key = trimmed(assignment.substr(0, equals));
+    return configured_by_word(configuration, key, trimmed(assignment.substr(equals + 1)), fmt::format("--set {}", key));
 }
 
 Json to_json(const Configuration& configuration) {

@@ -18,7 +18,11 @@ namespace skinfit {
 [[nodiscard]] Configuration configured_by_text(const Configuration& configuration, std::string_view text,
                                                const std::string& where);
 
-/// Changes one setting or parameter by "key=value", as given on the command line.
+/// Changes the setting or parameter `key` to what `text` says; `where` names the option in messages.
+[[nodiscard]] Configuration configured_by_word(Configuration configuration, std::string_view key, std::string_view text,
+                                               const std::string& where);
+
+/// Changes one setting or parameter by "key=value", the argument of --set.
 [[nodiscard]] Configuration configured_by_assignment(const Configuration& configuration, std::string_view assignment);
 
 /// Changes whether the parameters named in "NAME,NAME" are free; `where` names the option in messages.

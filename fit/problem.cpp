@@ -36,6 +36,13 @@ void check_free(const FreeParameter& free, const Configuration& configuration) {
 }
 
 void check_wavelengths(const Configuration& configuration, const Spectrum& spectrum) {
+    if (configuration.wavelength_min_nm > configuration.wavelength_max_nm) {
+        throw InputError({.where = "wavelength_min_nm, wavelength_max_nm",
+                          .problem = fmt::format("{} nm is not below {} nm", configuration.wavelength_min_nm,
+                                                 configuration.wavelength_max_nm),
+                          .why = "no wavelength lies between them",
+                          .remedy = "exchange them"});
+    }
     const WavelengthRange modelled = modelled_wavelengths();
     if (configuration.wavelength_min_nm < modelled.lowest_nm || configuration.wavelength_max_nm > modelled.highest_nm) {
         throw InputError(

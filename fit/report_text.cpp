@@ -31,8 +31,9 @@ std::string parameter_row(const FittedParameter& fitted) {
     switch (uncertainty.status) {
         case Status::free:
             return fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}\n", row.name, rounded(fitted.value, grain),
-                               rounded(*uncertainty.sigma, grain), rounded(*uncertainty.monte_carlo_sigma, grain),
-                               interval, unit_in_words(row));
+                               rounded(*uncertainty.sigma, grain),
+                               rounded(*uncertainty.monte_carlo_sigma, *uncertainty.monte_carlo_sigma), interval,
+                               unit_in_words(row));
         case Status::not_identifiable:
             return fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}  NOT IDENTIFIABLE\n", row.name, "-", "-", "-",
                                interval, unit_in_words(row));

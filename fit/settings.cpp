@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 2> unit_names = {"fraction", "percent"};
 [[noreturn]] void refuse(const std::string& where, const Json& value, const std::string& why,
                          const std::string& remedy) {
     throw InputError(
-        {.where = where, .problem = fmt::format("{} is no good", value.dump()), .why = why, .remedy = remedy});
+        {.where = where, .problem = fmt::format("{} cannot be used", shown(value)), .why = why, .remedy = remedy});
 }
 
 /// A number between two limits, both included.
@@ -47,7 +47,7 @@ std::uint64_t read_count(const Json& value, std::uint64_t lowest, std::uint64_t 
 
 template <class Enum, std::size_t count>
 Enum read_name(const Json& value, const std::array<std::string_view, count>& names, const std::string& where) {
-    const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+    const std::string text = value.is_string() ? value.get<std::string>() : shown(value);
     const auto found = std::ranges::find(names, text);
     if (found == names.end()) {
         refuse(where, value, fmt::format("one of {} is needed", fmt::join(names, ", ")),
@@ -200,6 +200,12 @@ Setting wavelengths() {
 }
 
 }  // namespace
+
+std::string shown(const Json& json) {
+    constexpr std::size_t longest = 60;
+    const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return text.size() <= longest ? text : text.substr(0, longest) + "...";
+}
 
 std::span<const Setting> setting_table() {
     constexpr std::uint64_t fewest_rays = 1000;

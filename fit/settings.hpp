@@ -26,6 +26,9 @@ struct Setting {
 /// All settings but the parameters, in the order in which they are shown.
 [[nodiscard]] std::span<const Setting> setting_table();
 
+/// `json` as it stands in messages: on one line, cut where it is long; bytes that are not UTF-8 are replaced.
+[[nodiscard]] std::string shown(const Json& json);
+
 /// Reads "400:700:20" (first:last:step), a list "400,450,500" or a single number, nm. Throws InputError naming `where`.
 [[nodiscard]] std::vector<double> parse_wavelengths(std::string_view text, const std::string& where);
 

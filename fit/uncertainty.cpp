@@ -11,6 +11,9 @@ using Index = Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// The width of the bounds in the standard deviation of a uniform distribution over them.
+const double box_width = std::sqrt(12.0);
+
 /// The problem linearised at the minimum. Each parameter is measured in standard deviations of a uniform
 /// distribution over its bounds, each residual in sigmas: a singular value below one is a direction in which the data
 /// say less than the bounds.
@@ -28,7 +31,7 @@ Linearised linearise(const Objective& objective, const Minimum& minimum) {
                       .unit = VectorXd(modelled.jacobian.cols())};
     for (Index column = 0; column < linear.unit.size(); ++column) {
         const Bounds& bounds = problem.free[static_cast<std::size_t>(column)].bounds;
-        linear.unit[column] = (bounds.upper - bounds.lower) / std::sqrt(12.0);
+        linear.unit[column] = (bounds.upper - bounds.lower) / box_width;
     }
     for (Index row = 0; row < linear.jacobian.rows(); ++row) {
         linear.jacobian.row(row) = linear.jacobian.row(row).cwiseProduct(linear.unit.transpose()) /
@@ -70,7 +73,7 @@ double distance_into_box(const Linearised& linear, Index column, const MatrixXd&
     const double curvature = left_over.squaredNorm();
     // The positive root of curvature d^2 + slope d = rise, in the form that survives curvature = 0.
     const double denominator = slope + std::sqrt(slope * slope + 4.0 * curvature * rise);
-    return denominator > 0.0 ? 2.0 * rise / denominator : std::sqrt(12.0);
+    return denominator > 0.0 ? 2.0 * rise / denominator : box_width;
 }
 
 Bounds within(const Bounds& interval, const Bounds& limits) {
@@ -155,9 +158,11 @@ Uncertainty estimate_uncertainty(const Objective& objective, const Minimum& mini
         const auto column = static_cast<Index>(i);
         const double unit = linear.unit[column];
         if (split.statuses[i] != Status::free) {
-            const double reach = distance_into_box(linear, column, inner, inverse) * unit;
+            const double distance = distance_into_box(linear, column, inner, inverse);
             uncertainty.parameters.push_back(
-                uncertainty_at_bound(split.statuses[i], minimum.values[i], reach, free[i].bounds));
+                distance >= box_width
+                    ? not_identifiable(free[i].bounds)
+                    : uncertainty_at_bound(split.statuses[i], minimum.values[i], distance * unit, free[i].bounds));
             continue;
         }
         const double relative_sigma = std::sqrt(inverse.covariance(next_inner, next_inner));

@@ -23,7 +23,8 @@ struct ParameterUncertainty {
 /// How well the spectrum determines the free parameters at a minimum.
 struct Uncertainty {
     std::vector<ParameterUncertainty> parameters;  ///< in the order of `FitProblem::free`
-    /// Of the parameters not at a bound; rows and columns of the others are zero but for the diagonal.
+    /// Of the parameters away from their bounds, identifiable or not: what trades against what shows here. Rows and
+    /// columns of those at a bound are zero but for the diagonal.
     Eigen::MatrixXd correlation;
 };
 
@@ -31,8 +32,9 @@ struct Uncertainty {
 ///
 /// A parameter at a bound, with chi2 rising into the box, is taken out of the covariance; its 95 % limit is where the
 /// linearised chi2, minimised over the others, has risen by 2.71. A parameter whose standard deviation is not below
-/// that of a uniform distribution over its bounds, width / sqrt(12), is not identifiable: the data say less than the
-/// bounds do; its interval is the bounds. The others have sigma, and intervals of 1.96 sigma cut at the bounds.
+/// that of a uniform distribution over its bounds, width / sqrt(12), or whose limit at one bound lies beyond the other,
+/// is not identifiable: the data say less than the bounds do; its interval is the bounds. The others have sigma, and
+/// intervals of 1.96 sigma cut at the bounds.
 [[nodiscard]] Uncertainty estimate_uncertainty(const Objective& objective, const Minimum& minimum);
 
 }  // namespace skinfit

@@ -1,0 +1,97 @@
+#include "app/command_line_error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/text.hpp"
+
+namespace skinfit {
+namespace {
+
+/// The command that was being read when `app` gave up, and how it is called.
+struct Place {
+    const CLI::App* command;
+    std::string words;
+};
+
+Place place_of(const CLI::App& app) {
+    Place place{&app, app.get_name()};
+    while (!place.command->get_subcommands().empty()) {
+        place.command = place.command->get_subcommands().front();
+        place.words += " " + place.command->get_name();
+    }
+    return place;
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(command->get_name());
+    }
+    return names;
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    return names;
+}
+
+std::string_view nearest(std::string_view name, const std::vector<std::string>& names) {
+    return nearest_name(name, std::vector<std::string_view>(names.begin(), names.end()));
+}
+
+Complaint unknown_word(const Place& place, const std::string& word) {
+    const std::string see = fmt::format("see `{} --help`", place.words);
+    const std::vector<std::string> commands = command_names(*place.command);
+    if (word.starts_with('-')) {
+        const std::string option = word.substr(0, word.find('='));
+        return {.where = "command line",
+                .problem = fmt::format("unknown option {}", option),
+                .why = fmt::format("`{}` does not have it", place.words),
+                .remedy = fmt::format("did you mean {}? Else {}", nearest(option, option_names(*place.command)), see)};
+    }
+    if (!commands.empty()) {
+        return {.where = "command line",
+                .problem = fmt::format("unknown command \"{}\"", word),
+                .why = fmt::format("it is none of {}", fmt::join(commands, ", ")),
+                .remedy = fmt::format("did you mean `{} {}`?", place.words, nearest(word, commands))};
+    }
+    return {.where = "command line",
+            .problem = fmt::format("\"{}\" is one word too many", word),
+            .why = fmt::format("`{}` has no place for it", place.words),
+            .remedy = fmt::format("leave it out, quote names with blanks, or {}", see)};
+}
+
+}  // namespace
+
+Complaint command_line_complaint(const CLI::App& app, const CLI::ParseError& error) {
+    const Place place = place_of(app);
+    const std::vector<std::string> unknown = app.remaining(true);
+    if (!unknown.empty()) {
+        const auto option =
+            std::ranges::find_if(unknown, [](const std::string& word) { return word.starts_with('-'); });
+        return unknown_word(place, option != unknown.end() ? *option : unknown.front());
+    }
+    const std::vector<std::string> commands = command_names(*place.command);
+    if (!commands.empty()) {
+        return {.where = "command line",
+                .problem = "the command is missing",
+                .why = fmt::format("`{}` alone does nothing", place.words),
+                .remedy = fmt::format("give one of {}, or see `{} --help`", fmt::join(commands, ", "), place.words)};
+    }
+    const std::string text = error.what();
+    return {.where = "command line",
+            .problem = text.substr(0, text.find('\n')),
+            .why = fmt::format("`{}` needs it", place.words),
+            .remedy = fmt::format("see `{} --help`", place.words)};
+}
+
+}  // namespace skinfit

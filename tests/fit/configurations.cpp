@@ -1,0 +1,260 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include "core/input_error.hpp"
+#include "fit/configuration_json.hpp"
+
+namespace skinfit::test {
+namespace {
+
+/// A validator that knows the schema and nothing of the loader.
+bool schema_accepts(const std::string& text) {
+    const nlohmann::json schema_json = nlohmann::json::parse(configuration_schema().dump());
+    const nlohmann::json json = nlohmann::json::parse(text);
+    valijson::Schema schema;
+    valijson::SchemaParser parser;
+    parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json), schema);
+    valijson::Validator validator;
+    return validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(json), nullptr);
+}
+
+Configuration loaded(const std::string& text) {
+    return configured_by_text(default_configuration(), text, "c.json");
+}
+
+/// The message with which the loader refuses `text`; empty where it does not.
+std::string refusal(const std::string& text) {
+    try {
+        (void)loaded(text);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+std::string assignment_refusal(const std::string& assignment) {
+    try {
+        (void)configured_by_assignment(default_configuration(), assignment);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+Configuration assigned(const std::string& assignment) {
+    return configured_by_assignment(default_configuration(), assignment);
+}
+
+/// Everything different from its default.
+Configuration unusual() {
+    Configuration c = default_configuration();
+    c.edition = Edition::printed;
+    c.engine = Engine::walk;
+    c.solver = Solver::bobyqa;
+    c.layers = 2;
+    c.base = Base{.kind = Base::Kind::index, .refractive_index = 1.45};
+    c.incidence_deg = 45.5;
+    c.specular = Specular::excluded;
+    c.quantity = Quantity::transmittance;
+    c.column = "2";
+    c.unit = Unit::percent;
+    c.rays = 10'000'000'000;
+    c.seed = 9'007'199'254'740'992;
+    c.wavelengths = "450,540,660.5";
+    c.wavelength_min_nm = 450.25;
+    c.wavelength_max_nm = 650;
+    c.noise = 0.1 / 3;
+    for (const ParameterInfo& row : parameter_table()) {
+        const auto i = static_cast<std::size_t>(row.parameter);
+        value_of(c.values, row.parameter) = row.lower + (row.upper - row.lower) / 3;
+        c.bounds[i] = {row.lower + (row.upper - row.lower) / 7, row.upper - (row.upper - row.lower) / 7};
+        c.free[i] = !c.free[i];
+    }
+    return c;
+}
+
+TEST(ConfigurationJson, RoundTripIsTheIdentity) {
+    for (const Configuration& configuration : {default_configuration(), unusual()}) {
+        const std::string text = to_json(configuration).dump();
+        EXPECT_EQ(to_json(loaded(text)).dump(), text);
+        EXPECT_TRUE(schema_accepts(text));
+    }
+}
+
+TEST(ConfigurationJson, RoundTripKeepsEveryField) {
+    const Configuration before = unusual();
+    const Configuration after = loaded(to_json(before).dump());
+    EXPECT_EQ(after.edition, before.edition);
+    EXPECT_EQ(after.engine, before.engine);
+    EXPECT_EQ(after.solver, before.solver);
+    EXPECT_EQ(after.layers, before.layers);
+    EXPECT_EQ(after.base, before.base);
+    EXPECT_EQ(after.incidence_deg, before.incidence_deg);
+    EXPECT_EQ(after.specular, before.specular);
+    EXPECT_EQ(after.quantity, before.quantity);
+    EXPECT_EQ(after.column, before.column);
+    EXPECT_EQ(after.unit, before.unit);
+    EXPECT_EQ(after.rays, before.rays);
+    EXPECT_EQ(after.seed, before.seed);
+    EXPECT_EQ(after.wavelengths, before.wavelengths);
+    EXPECT_EQ(after.noise, before.noise);
+    EXPECT_EQ(after.free, before.free);
+    for (std::size_t i = 0; i < parameter_count; ++i) {
+        EXPECT_EQ(after.bounds[i].lower, before.bounds[i].lower);
+        EXPECT_EQ(after.bounds[i].upper, before.bounds[i].upper);
+    }
+}
+
+TEST(ConfigurationJson, BasesOfEveryKindAndNone) {
+    for (const std::string text :
+         {R"({"base": "hypodermis"})", R"({"base": "matched"})", R"({"base": 1.33})", R"({"base": null})"}) {
+        EXPECT_EQ(to_json(loaded(text))["base"], Json::parse(text)["base"]);
+        EXPECT_TRUE(schema_accepts(text));
+    }
+}
+
+TEST(ConfigurationJson, CommentsAreAllowed) {
+    EXPECT_EQ(loaded("{ // why\n\"seed\": 7 /* because */ }").seed, 7U);
+}
+
+TEST(ConfigurationJson, FreeReplacesTheList) {
+    const Configuration configuration = loaded(R"({"free": ["scale"]})");
+    EXPECT_EQ(free_parameters(configuration), std::vector{Parameter::scale});
+}
+
+TEST(ConfigurationJson, AParameterIsANumberOrAnObject) {
+    EXPECT_EQ(loaded(R"({"parameters": {"scale": 1.5}})").values.instrument.scale, 1.5);
+    const Configuration configuration =
+        loaded(R"({"parameters": {"scale": {"value": 1.2, "lower": 1, "upper": 1.3}}})");
+    EXPECT_EQ(configuration.values.instrument.scale, 1.2);
+    EXPECT_EQ(configuration.bounds[static_cast<std::size_t>(Parameter::scale)].upper, 1.3);
+}
+
+TEST(ConfigurationJson, MisuseIsRefusedByLoaderAndSchema) {
+    for (const std::string text : {"[]",
+                                   "7",
+                                   "\"text\"",
+                                   R"({"sead": 1})",
+                                   R"({"seed": -1})",
+                                   R"({"seed": 1.5})",
+                                   R"({"seed": "1"})",
+                                   R"({"rays": 999})",
+                                   R"({"rays": 1e11})",
+                                   R"({"rays": null})",
+                                   R"({"edition": "Revised"})",
+                                   R"({"edition": null})",
+                                   R"({"edition": 1})",
+                                   R"({"engine": "ray"})",
+                                   R"({"solver": ["ceres"]})",
+                                   R"({"layers": 3})",
+                                   R"({"layers": "4"})",
+                                   R"({"base": "air"})",
+                                   R"({"base": 0.9})",
+                                   R"({"base": true})",
+                                   R"({"incidence_deg": 86})",
+                                   R"({"incidence_deg": "8"})",
+                                   R"({"specular": true})",
+                                   R"({"quantity": "R"})",
+                                   R"({"column": 1.5})",
+                                   R"({"column": []})",
+                                   R"({"unit": "%"})",
+                                   R"({"wavelengths": true})",
+                                   R"({"wavelength_min_nm": -1})",
+                                   R"({"wavelength_max_nm": "x"})",
+                                   R"({"noise": 0})",
+                                   R"({"noise": 2})",
+                                   R"({"free": "scale"})",
+                                   R"({"free": [1]})",
+                                   R"({"free": ["scal"]})",
+                                   R"({"free": {}})",
+                                   R"({"parameters": []})",
+                                   R"({"parameters": {"scal": 1}})",
+                                   R"({"parameters": {"scale": 0}})",
+                                   R"({"parameters": {"scale": null}})",
+                                   R"({"parameters": {"scale": "1"}})",
+                                   R"({"parameters": {"scale": {"valu": 1}}})",
+                                   R"({"parameters": {"scale": {"lower": -1}}})",
+                                   R"({"parameters": {"melanosome_fraction": 1.01}})"}) {
+        EXPECT_NE(refusal(text), "") << text;
+        EXPECT_FALSE(schema_accepts(text)) << text;
+    }
+}
+
+TEST(ConfigurationJson, WhatNoSchemaCanSayTheLoaderRefuses) {
+    EXPECT_NE(refusal(R"({"parameters": {"scale": {"lower": 1.5, "upper": 1.5}}})").find("not below"),
+              std::string::npos);
+    EXPECT_NE(refusal(R"({"wavelengths": "400:300:10"})"), "");
+}
+
+TEST(ConfigurationJson, UnknownKeysNameTheNearest) {
+    for (const auto& [text, nearest] :
+         {std::pair{R"({"sead": 1})", "\"seed\""}, std::pair{R"({"wavelength": 1})", "\"wavelengths\""},
+          std::pair{R"({"free": ["melanosome"]})", "\"melanosome_fraction\""},
+          std::pair{R"({"parameters": {"oxygen_saturaton": 1}})", "\"oxygen_saturation\""},
+          std::pair{R"({"parameters": {"scale": {"max": 1}}})", "did you mean"}}) {
+        EXPECT_NE(refusal(text).find(nearest), std::string::npos) << refusal(text);
+    }
+}
+
+TEST(ConfigurationJson, MalformedTextNamesItsLine) {
+    EXPECT_TRUE(refusal("{\"seed\": 1,\n\"rays\" 1}").starts_with("c.json:2: "))
+        << refusal("{\"seed\": 1,\n\"rays\" 1}");
+    EXPECT_TRUE(refusal("{\"seed\": 1,\n\n}").starts_with("c.json:3: "));
+    EXPECT_TRUE(refusal("").starts_with("c.json:1: "));
+    EXPECT_TRUE(refusal("{\n\"seed\": 1").starts_with("c.json:2: "));
+    EXPECT_TRUE(refusal(R"({"noise": 1e999})").starts_with("c.json")) << refusal(R"({"noise": 1e999})");
+}
+
+TEST(ConfigurationJson, AResultIsAConfiguration) {
+    EXPECT_EQ(loaded(R"({"verdict": "suspect", "configuration": {"seed": 9}, "seed": 1})").seed, 9U);
+    EXPECT_NE(refusal(R"({"configuration": {"sead": 9}})"), "");
+}
+
+TEST(Assignment, NumbersNamesAndNull) {
+    EXPECT_EQ(assigned("melanosome_fraction=0.1").values.skin.melanosome_fraction, 0.1);
+    EXPECT_EQ(assigned(" offset = -.05 ").values.instrument.offset, -0.05);
+    EXPECT_EQ(assigned("offset=+1e-2").values.instrument.offset, 0.01);
+    EXPECT_EQ(assigned("rays=2e6").rays, 2'000'000U);
+    EXPECT_EQ(assigned("edition=printed").edition, Edition::printed);
+    EXPECT_EQ(assigned("base=matched").base, (Base{.kind = Base::Kind::matched}));
+    EXPECT_EQ(assigned("base=1.33").base, (Base{.kind = Base::Kind::index, .refractive_index = 1.33}));
+    EXPECT_EQ(configured_by_assignment(unusual(), "base=null").base, std::nullopt);
+    EXPECT_EQ(configured_by_assignment(unusual(), "specular=null").specular, std::nullopt);
+    EXPECT_EQ(assigned("wavelengths=400:700:20").wavelengths, "400:700:20");
+    EXPECT_EQ(assigned("wavelengths=550").wavelengths, "550");
+    EXPECT_EQ(assigned("column=left arm").column, "left arm");
+    EXPECT_EQ(assigned("column=2").column, "2");
+}
+
+TEST(Assignment, MisuseNamesTheKey) {
+    for (const auto& [assignment, words] :
+         {std::pair{"melanosome_fraction=2", "--set melanosome_fraction: 2 "},
+          std::pair{"melanosome_fraction=nan", "\"nan\""}, std::pair{"melanosome_fraction=inf", "\"inf\""},
+          std::pair{"melanosome_fraction=", "--set melanosome_fraction: "},
+          std::pair{"melanosome=1", "melanosome_fraction"}, std::pair{"rays=x", "--set rays: "},
+          std::pair{"rays=1e400", "--set rays: "}, std::pair{"seed", "no \"=\""}, std::pair{"=1", "did you mean"},
+          std::pair{"edition=\xff", "--set edition: "}, std::pair{"\xff=1", "unknown name"},
+          std::pair{"free=scale", "unknown name"}}) {
+        EXPECT_NE(assignment_refusal(assignment).find(words), std::string::npos)
+            << assignment << ": " << assignment_refusal(assignment);
+    }
+}
+
+TEST(Freedom, IsGivenAndTakenByName) {
+    Configuration configuration = default_configuration();
+    configuration = with_freedom(configuration, "scale, offset", true, "--free");
+    configuration = with_freedom(configuration, "melanosome_fraction", false, "--fix");
+    EXPECT_TRUE(configuration.free[static_cast<std::size_t>(Parameter::scale)]);
+    EXPECT_TRUE(configuration.free[static_cast<std::size_t>(Parameter::offset)]);
+    EXPECT_FALSE(configuration.free[static_cast<std::size_t>(Parameter::melanosome_fraction)]);
+    EXPECT_THROW((void)with_freedom(configuration, "scale,ofset", true, "--free"), InputError);
+    EXPECT_THROW((void)with_freedom(configuration, "", true, "--free"), InputError);
+}
+
+}  // namespace
+}  // namespace skinfit::test

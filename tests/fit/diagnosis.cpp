@@ -1,0 +1,117 @@
+#include "fit/diagnosis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/fit/example_result.hpp"
+
+namespace skinfit::test {
+namespace {
+
+/// Expects exactly one reason, which begins with `rule` and says what to do, and the verdict.
+void expect_only(const FitResult& result, const std::string& rule, Verdict verdict = Verdict::suspect) {
+    const Diagnosis diagnosis = diagnose(result);
+    EXPECT_EQ(diagnosis.verdict, verdict) << rule;
+    ASSERT_EQ(diagnosis.reasons.size(), 1U) << rule;
+    EXPECT_TRUE(diagnosis.reasons[0].starts_with(rule)) << diagnosis.reasons[0];
+    EXPECT_NE(diagnosis.reasons[0].find("; "), std::string::npos) << diagnosis.reasons[0];
+}
+
+void expect_trusted(const FitResult& result) {
+    const Diagnosis diagnosis = diagnose(result);
+    EXPECT_EQ(diagnosis.verdict, Verdict::trustworthy);
+    EXPECT_TRUE(diagnosis.reasons.empty()) << diagnosis.reasons.front();
+}
+
+FittedParameter& melanosomes(FitResult& result) {
+    return result.parameters[static_cast<std::size_t>(Parameter::melanosome_fraction)];
+}
+
+TEST(Diagnosis, TrustsWhereNothingIsWrong) {
+    expect_trusted(trustworthy_result());
+}
+
+TEST(Diagnosis, WithoutConvergenceNothingElseMatters) {
+    FitResult result = example_result();
+    result.answer.minimum.converged = false;
+    expect_only(result, "NOT CONVERGED: Function tolerance reached.", Verdict::failed);
+}
+
+TEST(Diagnosis, MisfitBelowOneInAThousand) {
+    FitResult result = trustworthy_result();
+    result.p_value = 0.00101;
+    expect_trusted(result);
+    result.p_value = 0.00099;
+    expect_only(result, "MISFIT beyond the noise");
+    result.p_value = 0.0;
+    expect_only(result, "MISFIT beyond the noise");
+}
+
+TEST(Diagnosis, NoDegreesOfFreedom) {
+    FitResult result = trustworthy_result();
+    result.degrees_of_freedom = 0;
+    result.p_value.reset();
+    expect_only(result, "NO DEGREES OF FREEDOM");
+}
+
+TEST(Diagnosis, AtEitherBoundNamesTheParameterAndTheBound) {
+    FitResult result = trustworthy_result();
+    melanosomes(result).uncertainty.status = Status::at_upper_bound;
+    melanosomes(result).value = 0.5;
+    expect_only(result, "AT BOUND: melanosome_fraction ended at its upper bound 0.5");
+    melanosomes(result).uncertainty.status = Status::at_lower_bound;
+    melanosomes(result).value = 0.0;
+    expect_only(result, "AT BOUND: melanosome_fraction ended at its lower bound 0");
+}
+
+TEST(Diagnosis, NotIdentifiable) {
+    FitResult result = trustworthy_result();
+    melanosomes(result).uncertainty.status = Status::not_identifiable;
+    expect_only(result, "NOT IDENTIFIABLE: the spectrum says less about melanosome_fraction");
+}
+
+TEST(Diagnosis, TooFewRaysAboveHalfTheNoiseSaysHowManyAreNeeded) {
+    FitResult result = trustworthy_result();
+    result.monte_carlo_error = 0.5 * result.median_sigma;
+    expect_trusted(result);
+    // At the noise itself: the error falls with the root, so that four times the 100000 rays halve it.
+    result.monte_carlo_error = result.median_sigma;
+    expect_only(result, "TOO FEW RAYS");
+    EXPECT_NE(diagnose(result).reasons[0].find("set rays to at least 400000"), std::string::npos);
+}
+
+FitResult with_other_answer(double chi2, double sigmas_away) {
+    FitResult result = trustworthy_result();
+    SolverAnswer other = result.answer;
+    other.solver = Solver::bobyqa;
+    other.minimum.chi2 = chi2;
+    other.minimum.values[0] += sigmas_away * *melanosomes(result).uncertainty.sigma;
+    result.cross_check.push_back(other);
+    return result;
+}
+
+TEST(Diagnosis, SolversMayDifferByNoMoreThanStated) {
+    const double chi2 = trustworthy_result().chi2;
+    expect_trusted(with_other_answer(chi2, 0.0));
+    expect_trusted(with_other_answer(chi2 - 0.0009, 0.099));
+    expect_only(with_other_answer(chi2 - 0.0011, 0.0), "SOLVERS DISAGREE");
+    expect_only(with_other_answer(chi2, 0.101), "SOLVERS DISAGREE");
+    expect_only(with_other_answer(chi2, -0.101), "SOLVERS DISAGREE");
+    // A worse minimum of the other solver at the same place is no reason.
+    expect_trusted(with_other_answer(chi2 + 1.0, 0.0));
+}
+
+TEST(Diagnosis, EveryReasonIsListed) {
+    const std::vector<std::string> reasons = diagnose(example_result()).reasons;
+    const auto count = [&](const char* rule) {
+        return std::ranges::count_if(reasons, [rule](const std::string& reason) { return reason.starts_with(rule); });
+    };
+    EXPECT_EQ(count("AT BOUND"), 2);
+    EXPECT_EQ(count("NOT IDENTIFIABLE"), 1);
+    EXPECT_EQ(count("SOLVERS DISAGREE"), 1);
+    EXPECT_EQ(reasons.size(), 4U);
+}
+
+}  // namespace
+}  // namespace skinfit::test

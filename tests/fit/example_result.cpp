@@ -1,0 +1,101 @@
+#include "tests/fit/example_result.hpp"
+
+#include "fit/diagnosis.hpp"
+
+namespace skinfit::test {
+namespace {
+
+ParameterUncertainty plain(double sigma, double monte_carlo_sigma, const Bounds& interval) {
+    return {.status = Status::free, .sigma = sigma, .monte_carlo_sigma = monte_carlo_sigma, .interval_95 = interval};
+}
+
+ParameterUncertainty without_sigma(Status status, const Bounds& interval) {
+    return {.status = status, .sigma = std::nullopt, .monte_carlo_sigma = std::nullopt, .interval_95 = interval};
+}
+
+/// A result in which every parameter is fixed at its default.
+FitResult all_fixed() {
+    FitResult result;
+    result.spectrum_name = "Forearm 7";
+    result.spectrum_source = "forearm.csv";
+    result.unit_rule = "percent: largest value 61.2 exceeds 1.5";
+    result.sigma_source = "0.006 at every wavelength (default)";
+    result.configuration = default_configuration();
+    result.configuration.free.fill(false);
+    result.configuration.base = Base{};
+    result.configuration.incidence_deg = 45;
+    result.configuration.specular = Specular::excluded;
+    result.configuration.quantity = Quantity::reflectance;
+    for (const ParameterInfo& row : parameter_table()) {
+        const double value = value_of(result.configuration.values, row.parameter);
+        result.parameters.push_back({.parameter = row.parameter,
+                                     .value = value,
+                                     .start = value,
+                                     .bounds = {row.lower, row.upper},
+                                     .uncertainty = without_sigma(Status::fixed, {value, value})});
+    }
+    result.rmse = 0.00512;
+    result.chi2 = 30.25;
+    result.degrees_of_freedom = 26;
+    result.p_value = 0.26;
+    result.median_sigma = 0.006;
+    result.monte_carlo_error = 0.00042;
+    result.wavelength_nm = {400, 550, 700};
+    result.measured = {0.1, 0.25, 0.5};
+    result.sigma = {0.006, 0.006, 0.006};
+    result.modelled = {0.105, 0.2475, 0.5};
+    return result;
+}
+
+void make_free(FitResult& result, Parameter parameter, double value, const ParameterUncertainty& uncertainty) {
+    FittedParameter& row = result.parameters[static_cast<std::size_t>(parameter)];
+    row.value = value;
+    row.uncertainty = uncertainty;
+    result.free.push_back(parameter);
+    result.configuration.free[static_cast<std::size_t>(parameter)] = true;
+    result.answer.minimum.values.push_back(value);
+}
+
+void judge(FitResult& result) {
+    const Diagnosis diagnosis = diagnose(result);
+    result.verdict = diagnosis.verdict;
+    result.reasons = diagnosis.reasons;
+}
+
+}  // namespace
+
+FitResult example_result() {
+    FitResult result = all_fixed();
+    make_free(result, Parameter::melanosome_fraction, 0.0234567, plain(0.00123, 0.000045, {0.02104, 0.02587}));
+    make_free(result, Parameter::papillary_blood_fraction, 0.0123, plain(0.0045, 0.0003, {0.0035, 0.0211}));
+    make_free(result, Parameter::oxygen_saturation, 1.0, without_sigma(Status::at_upper_bound, {0.873, 1.0}));
+    make_free(result, Parameter::bilirubin_g_per_l, 0.0, without_sigma(Status::at_lower_bound, {0.0, 0.214}));
+    make_free(result, Parameter::dermis_carotene_g_per_l, 0.004, without_sigma(Status::not_identifiable, {0, 0.01}));
+    result.correlation = Eigen::MatrixXd::Identity(5, 5);
+    result.correlation(0, 1) = result.correlation(1, 0) = -0.934;
+    result.answer.solver = Solver::ceres;
+    result.answer.minimum.chi2 = 30.25;
+    result.answer.minimum.evaluations = 12;
+    result.answer.minimum.converged = true;
+    result.answer.minimum.termination = "Function tolerance reached.";
+    SolverAnswer other = result.answer;
+    other.solver = Solver::bobyqa;
+    other.minimum.chi2 = 30.1;
+    other.minimum.evaluations = 345;
+    other.minimum.values[0] += 0.000246;
+    other.minimum.termination = "steps below the tolerance";
+    result.cross_check.push_back(other);
+    judge(result);
+    return result;
+}
+
+FitResult trustworthy_result() {
+    FitResult result = all_fixed();
+    make_free(result, Parameter::melanosome_fraction, 0.0234567, plain(0.00123, 0.000045, {0.02104, 0.02587}));
+    result.correlation = Eigen::MatrixXd::Identity(1, 1);
+    result.answer.minimum.converged = true;
+    judge(result);
+    return result;
+}
+
+}  // namespace skinfit::test

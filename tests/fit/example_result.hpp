@@ -1,0 +1,13 @@
+#pragma once
+
+#include "fit/result.hpp"
+
+namespace skinfit::test {
+
+/// A made-up result with a parameter of every status; its numbers belong to no computation.
+[[nodiscard]] FitResult example_result();
+
+/// The same where all is well: one free parameter, verdict trustworthy.
+[[nodiscard]] FitResult trustworthy_result();
+
+}  // namespace skinfit::test

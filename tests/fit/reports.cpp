@@ -1,0 +1,85 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "core/file.hpp"
+#include "core/version.hpp"
+#include "fit/configuration_json.hpp"
+#include "fit/report.hpp"
+#include "tests/fit/example_result.hpp"
+
+namespace skinfit::test {
+namespace {
+
+/// Compares `text`, its version replaced, with tests/fit/golden/<name>. With SKINFIT_UPDATE_GOLDEN=1 in the environment
+/// the file is written instead: run this test once so after a change of the report, and read the difference.
+void expect_golden(std::string text, const std::string& name) {
+    const std::string number(version);
+    for (std::size_t at = text.find(number); at != std::string::npos; at = text.find(number, at)) {
+        text.replace(at, number.size(), "VERSION");
+    }
+    const std::filesystem::path path = std::filesystem::path(SKINFIT_SOURCE_DIR) / "tests/fit/golden" / name;
+    const char* const update = std::getenv("SKINFIT_UPDATE_GOLDEN");
+    if (update != nullptr && std::string(update) == "1") write_file_atomically(path, text);
+    EXPECT_EQ(text, read_file(path));
+}
+
+TEST(TextReport, ShowsEveryStatus) {
+    expect_golden(text_report(example_result()), "suspect.txt");
+}
+
+TEST(TextReport, SaysLittleWhereAllIsWell) {
+    expect_golden(text_report(trustworthy_result()), "trustworthy.txt");
+}
+
+TEST(TextReport, LinesEndWithoutBlanks) {
+    EXPECT_EQ(text_report(example_result()).find(" \n"), std::string::npos);
+}
+
+TEST(JsonReport, HasEveryKey) {
+    const Json json = Json::parse(json_report(example_result()).dump());
+    for (const char* key :
+         {"verdict",     "reasons",       "rmse",     "chi2",    "degrees_of_freedom", "p_value",    "parameters",
+          "correlation", "wavelength_nm", "measured", "sigma",   "modelled",           "residual",   "edition",
+          "engine",      "seed",          "rays",     "version", "configuration",      "cross_check"}) {
+        EXPECT_TRUE(json.contains(key)) << key;
+    }
+    ASSERT_EQ(json["parameters"].size(), parameter_count);
+    for (const auto& [name, parameter] : json["parameters"].items()) {
+        for (const char* key : {"value", "sigma", "lower", "upper", "start", "status"}) {
+            EXPECT_TRUE(parameter.contains(key)) << name << " " << key;
+        }
+    }
+}
+
+TEST(JsonReport, RepeatsTheResult) {
+    const FitResult result = example_result();
+    const Json json = json_report(result);
+    EXPECT_EQ(json["verdict"], "suspect");
+    EXPECT_EQ(json["reasons"].get<std::vector<std::string>>(), result.reasons);
+    EXPECT_EQ(json["version"], version);
+    EXPECT_EQ(json["parameters"]["melanosome_fraction"]["sigma"], 0.00123);
+    EXPECT_EQ(json["parameters"]["melanosome_fraction"]["status"], "free");
+    EXPECT_TRUE(json["parameters"]["bilirubin_g_per_l"]["sigma"].is_null());
+    EXPECT_EQ(json["parameters"]["bilirubin_g_per_l"]["status"], "at_lower_bound");
+    EXPECT_EQ(json["parameters"]["bilirubin_g_per_l"]["interval_95"], Json({0.0, 0.214}));
+    EXPECT_EQ(json["parameters"]["oxygen_saturation"]["status"], "at_upper_bound");
+    EXPECT_EQ(json["parameters"]["dermis_carotene_g_per_l"]["status"], "not_identifiable");
+    EXPECT_EQ(json["parameters"]["scale"]["status"], "fixed");
+    EXPECT_EQ(json["correlation"]["parameters"].size(), 5U);
+    EXPECT_EQ(json["correlation"]["matrix"][0][1], -0.934);
+    for (std::size_t i = 0; i < result.measured.size(); ++i) {
+        EXPECT_EQ(json["residual"][i], result.modelled[i] - result.measured[i]);
+    }
+    EXPECT_EQ(json["configuration"], to_json(result.configuration));
+}
+
+TEST(JsonReport, IsAConfiguration) {
+    const FitResult result = example_result();
+    const Configuration again = configured(default_configuration(), json_report(result), "result.json");
+    EXPECT_EQ(to_json(again), to_json(result.configuration));
+}
+
+}  // namespace
+}  // namespace skinfit::test
