@@ -52,7 +52,7 @@ void add_fit_command(CLI::App& app, int& exit_code) {
     fit->add_option("--column", command->column, "of a file with several spectra: its name, or its number from 1")
         ->type_name("NAME");
     fit->add_option("--unit", command->unit, "of the values: fraction or percent; found by a rule otherwise");
-    fit->add_option("--free", command->free, "adjust these parameters too")
+    fit->add_option("--free", command->free, "adjust these parameters too; `skinfit config show` lists their names")
         ->type_name("NAME,NAME")
         ->expected(1)
         ->take_all();

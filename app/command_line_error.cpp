@@ -48,6 +48,13 @@ std::string_view nearest(std::string_view name, const std::vector<std::string>& 
     return nearest_name(name, std::vector<std::string_view>(names.begin(), names.end()));
 }
 
+/// Why the command line cannot be used although all of its words are known.
+std::string reason(const CLI::ParseError& error, const std::string& command) {
+    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) return fmt::format("`{}` needs it", command);
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) return "an option's value is missing";
+    return "this value is not accepted";
+}
+
 Complaint unknown_word(const Place& place, const std::string& word) {
     const std::string see = fmt::format("see `{} --help`", place.words);
     const std::vector<std::string> commands = command_names(*place.command);
@@ -90,7 +97,7 @@ Complaint command_line_complaint(const CLI::App& app, const CLI::ParseError& err
     const std::string text = error.what();
     return {.where = "command line",
             .problem = text.substr(0, text.find('\n')),
-            .why = fmt::format("`{}` needs it", place.words),
+            .why = reason(error, place.words),
             .remedy = fmt::format("see `{} --help`", place.words)};
 }
 

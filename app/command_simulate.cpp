@@ -64,6 +64,7 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
     simulate->add_option("--rays", command->rays, "per wavelength");
     simulate->add_option("--seed", command->seed, "of the random numbers");
     add_shared_options(*simulate, command->shared, {"csv", "json"});
+    simulate->footer("Exit code 0: done; 2: bad input; 3: internal error.");
     simulate->callback([command, &exit_code] { exit_code = run(*command); });
 }
 

@@ -14,13 +14,19 @@ namespace {
 
 /// The known key that `key` probably means: one of which it is a part, else the one the fewest edits away.
 std::string_view closest(std::string_view key, const std::vector<std::string_view>& known) {
-    const auto longer = std::ranges::find_if(
-        known, [key](std::string_view name) { return !key.empty() && name.find(key) != std::string_view::npos; });
+    const auto longer =
+        std::ranges::find_if(known, [key](std::string_view name) { return name.find(key) != std::string_view::npos; });
     return longer != known.end() ? *longer : nearest_name(key, known);
 }
 
 [[noreturn]] void refuse_unknown(const std::string& where, std::string_view key,
                                  const std::vector<std::string_view>& known) {
+    if (key.empty()) {
+        throw InputError({.where = where,
+                          .problem = "a name is empty",
+                          .why = "it says nothing",
+                          .remedy = fmt::format("give names such as \"{}\"", known.front())});
+    }
     throw InputError({.where = where,
                       .problem = fmt::format("unknown name {}", shown(std::string(key))),
                       .why = "it would have no effect",

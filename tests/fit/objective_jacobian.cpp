@@ -38,8 +38,8 @@ Configuration configuration_of(const Case& c) {
     return configuration;
 }
 
-/// Derivative of the reading by one parameter from differences at steps h, h/2 and h/4, extrapolated twice [Romberg],
-/// and a bound of its error.
+/// Derivative of the reading by one parameter from differences at steps h, h/2 and h/4, extrapolated twice as Romberg
+/// did, and a bound of its error.
 struct Differences {
     Eigen::VectorXd derivative;
     double error;

@@ -126,7 +126,7 @@ TEST(Uncertainty, TwinParametersAreNotIdentifiableTogetherAndShowTheirCorrelatio
     EXPECT_EQ(uncertainty.parameters[2].status, Status::not_identifiable);
 }
 
-/// A spectrum that pushes bilirubin below zero, by `push` in residuals per unit of its own column.
+/// A spectrum that pushes bilirubin below zero, by up to one sigma of the noise.
 struct Pushed {
     Configuration configuration;
     Spectrum spectrum;
@@ -138,7 +138,7 @@ Pushed pushed_below_zero(double noise) {
     Configuration truth = inner_truth();
     truth.values.skin.bilirubin_g_per_l = 0.0;
     truth.noise = noise;
-    Pushed pushed{truth, modelled_spectrum(truth, grid_nm(400, 700, 10))};
+    Pushed pushed{truth, modelled_spectrum(truth, grid_nm(400, 700, 20))};
     const Task task(truth, pushed.spectrum);
     const Eigen::VectorXd column = task.objective.model(starts(task.problem)).jacobian.col(bilirubin);
     for (std::size_t i = 0; i < pushed.spectrum.value.size(); ++i) {

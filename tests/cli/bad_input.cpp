@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <regex>
+
+#include "tests/cli/cli_test.hpp"
+
+namespace skinfit::test {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+const std::string good_spectrum = "400,0.2\n450,0.25\n500,0.3\n550,0.31\n600,0.45\n650,0.5\n700,0.52\n";
+
+class BadInput : public CliTest {
+protected:
+    void SetUp() override {
+        CliTest::SetUp();
+        put("good.csv", good_spectrum);
+    }
+
+    /// Expects `<where>: <problem> (<why>); <what to do>` with `words` in it, exit code 2 and nothing else at all.
+    void expect_refused(const Arguments& arguments, const std::string& words, Stdout where = Stdout::captured) {
+        std::string command;
+        for (const std::string& argument : arguments) command += argument + " ";
+        SCOPED_TRACE("skinfit " + command);
+        const std::size_t files = count_files();
+        const Outcome outcome = run(arguments, where);
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_EQ(outcome.out, "");
+        static const std::regex form("error: .+: .+ \\(.+\\); .+\n");
+        EXPECT_TRUE(std::regex_match(outcome.err, form)) << outcome.err;
+        EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+        EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+        EXPECT_EQ(count_files(), files) << "a file was left behind";
+    }
+
+    void expect_spectrum_refused(const std::string& text, const std::string& words) {
+        put("bad.csv", text);
+        expect_refused({"fit", "bad.csv", "--out", "result.txt"}, words);
+    }
+
+private:
+    [[nodiscard]] std::size_t count_files() const {
+        return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder()), {}));
+    }
+};
+
+TEST_F(BadInput, Files) {
+    expect_refused({"fit", "missing.csv"}, "missing.csv: cannot be read");
+    expect_refused({"fit", "."}, "is a folder");
+    expect_spectrum_refused("", "bad.csv: is empty");
+    expect_spectrum_refused(std::string("\x7f"
+                                        "ELF\0\1\2",
+                                        7),
+                            "bad.csv:1: ");
+    expect_spectrum_refused("400,0.2\n450,abc\n500,0.3\n", "bad.csv:2: holds 'abc'");
+    expect_spectrum_refused("400,0.2\n450,nan\n500,0.3\n", "bad.csv:2: ");
+    expect_spectrum_refused("400,0.2\n450,-0.1\n500,0.3\n", "bad.csv:2: the value -0.1 at 450 nm is negative");
+    expect_spectrum_refused("400,20\n450,170\n500,30\n", "1.7 at 450 nm exceeds 1.5");
+    expect_spectrum_refused("400,0.2\n450,0.3\n", "2 wavelengths in the window of the fit for 5 free parameters");
+    expect_spectrum_refused("800,0.2\n810,0.3\n820,0.3\n830,0.3\n840,0.3\n850,0.3\n",
+                            "nothing of it lies in the window");
+}
+
+TEST_F(BadInput, Columns) {
+    put("two.csv", "wavelength_nm,arm,leg\n400,0.2,0.3\n450,0.2,0.3\n");
+    expect_refused({"fit", "two.csv"}, "arm");
+    expect_refused({"fit", "two.csv", "--column", "arn"}, "arm");
+    expect_refused({"fit", "two.csv", "--column", "3"}, "two.csv");
+}
+
+TEST_F(BadInput, Wavelengths) {
+    expect_refused({"fit", "good.csv", "--set", "wavelength_max_nm=2000"}, "outside the tables");
+    expect_refused({"fit", "good.csv", "--set", "wavelength_min_nm=600", "--set", "wavelength_max_nm=500"}, "exchange");
+    expect_refused({"simulate", "--wavelengths", "100:200:10", "--out", "result.csv"}, "wavelength 100 nm: outside");
+    expect_refused({"simulate", "--wavelengths", "1500", "--engine", "walk"}, "1500 nm");
+    expect_refused({"simulate", "--wavelengths", "400:700"}, "--wavelengths: ");
+}
+
+TEST_F(BadInput, KeysAndValues) {
+    put("unknown.json", R"({"sead": 1})");
+    put("large.json", R"({"parameters": {"melanosome_fraction": 2}})");
+    put("broken.json", "{\"seed\": 1,\n}");
+    expect_refused({"fit", "good.csv", "--config", "unknown.json"}, "did you mean \"seed\"?");
+    expect_refused({"fit", "good.csv", "--config", "large.json"}, "melanosome_fraction: 2 ");
+    expect_refused({"simulate", "--config", "broken.json"}, "broken.json:2: ");
+    expect_refused({"config", "check", "broken.json"}, "broken.json:2: ");
+    expect_refused({"config", "check", "missing.json"}, "missing.json: cannot be read");
+    expect_refused({"fit", "good.csv", "--set", "melanosome=0.1"}, "did you mean \"melanosome_fraction\"?");
+    expect_refused({"fit", "good.csv", "--set", "melanosome_fraction"}, "no \"=\"");
+    expect_refused({"fit", "good.csv", "--set", "melanosome_fraction=2"}, "--set melanosome_fraction: 2 ");
+    expect_refused({"fit", "good.csv", "--set", "edition=\xff"}, "--set edition: ");
+    expect_refused({"fit", "good.csv", "--free", "melanin"}, "did you mean \"eumelanin_g_per_l\"?");
+    expect_refused({"fit", "good.csv", "--fix", "melanin"}, "--fix: ");
+    expect_refused({"fit", "good.csv", "--fix", ""}, "--fix: a name is empty");
+    expect_refused({"fit", "good.csv", "--free", "fibril_radius_nm"}, "cannot be adjusted");
+    expect_refused({"fit", "good.csv", "--free", "specular_fraction"}, "has no effect");
+    expect_refused({"fit", "good.csv", "--set", "engine=walk"}, "set engine=paths");
+    expect_refused({"fit", "good.csv", "--set", "bilirubin_g_per_l=20"}, "outside its bounds");
+    expect_refused({"fit", "good.csv", "--set", "layers=2", "--set", "base=hypodermis"}, "base: hypodermis");
+    expect_refused({"fit", "good.csv", "--solver", "cere"}, "--solver: ");
+    expect_refused({"fit", "good.csv", "--unit", "percents"}, "--unit: ");
+    expect_refused({"simulate", "--engine", "path"}, "--engine: ");
+    expect_refused({"simulate", "--rays", "10"}, "--rays: 10 ");
+    expect_refused({"simulate", "--seed", "-1"}, "--seed: -1 ");
+    expect_refused({"fit", "good.csv", "--fix",
+                    "melanosome_fraction,papillary_blood_fraction,reticular_blood_fraction,oxygen_saturation,"
+                    "bilirubin_g_per_l"},
+                   "no parameter is free");
+}
+
+TEST_F(BadInput, Outputs) {
+    const Arguments quick = {"simulate", "--wavelengths", "500", "--rays", "1000", "--no-cache"};
+    const auto with_out = [&quick](const std::string& out) {
+        Arguments arguments = quick;
+        arguments.insert(arguments.end(), {"--out", out});
+        return arguments;
+    };
+    expect_refused(with_out("missing/result.csv"), "missing/result.csv: cannot be written");
+    expect_refused(with_out("."), "it is a folder");
+    expect_refused(with_out("/dev/full"), "/dev/full: cannot be written");
+    expect_refused({"fit", "good.csv", "--out", "missing/result.txt"}, "missing/result.txt: cannot be written");
+    expect_refused(quick, "standard output: cannot be written", Stdout::full_device);
+    expect_refused({"config", "show"}, "standard output: cannot be written", Stdout::full_device);
+    expect_refused({"config", "schema"}, "standard output: cannot be written", Stdout::full_device);
+    expect_refused({"--help"}, "standard output: cannot be written", Stdout::full_device);
+}
+
+TEST_F(BadInput, CommandLines) {
+    expect_refused({}, "give one of fit, simulate, config");
+    expect_refused({"fitt"}, "did you mean `skinfit fit`?");
+    expect_refused({"--sed", "1"}, "unknown option --sed");
+    expect_refused({"config"}, "give one of show, schema, check");
+    expect_refused({"config", "shw"}, "did you mean `skinfit config show`?");
+    expect_refused({"fit"}, "FILE is required");
+    expect_refused({"fit", "good.csv", "other.csv"}, "\"other.csv\" is one word too many");
+    expect_refused({"fit", "good.csv", "--sett", "a=b"}, "did you mean --set?");
+    expect_refused({"fit", "good.csv", "--cross_check"}, "did you mean --cross-check?");
+    expect_refused({"fit", "good.csv", "--format=xml"}, "this value is not accepted");
+    expect_refused({"fit", "good.csv", "--config"}, "value is missing");
+    expect_refused({"simulate", "--threads", "0"}, "--threads");
+    expect_refused({"simulate", "--colum", "x"}, "unknown option --colum");
+}
+
+}  // namespace
+}  // namespace skinfit::test

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "core/file.hpp"
+#include "tests/cli/run_program.hpp"
+
+namespace skinfit::test {
+
+/// A test of the program, in an empty folder of its own beside a cache of its own.
+class CliTest : public ::testing::Test {
+protected:
+    void SetUp() override {
+        root_ = std::filesystem::temp_directory_path() / ("skinfit_cli_test_" + std::to_string(::getpid()));
+        std::filesystem::remove_all(root_);
+        folder_ = root_ / "work";
+        std::filesystem::create_directories(folder_);
+        ::setenv("SKINFIT_CACHE_DIR", (root_ / "cache").c_str(), 1);
+    }
+    void TearDown() override { std::filesystem::remove_all(root_); }
+
+    [[nodiscard]] Outcome run(const std::vector<std::string>& arguments, Stdout where = Stdout::captured) const {
+        return run_skinfit(arguments, folder_, where);
+    }
+
+    [[nodiscard]] std::filesystem::path folder() const { return folder_; }
+
+    /// Writes a file into the folder of the test.
+    void put(const std::string& name, const std::string& text) const { write_file_atomically(folder_ / name, text); }
+
+private:
+    std::filesystem::path root_;
+    std::filesystem::path folder_;
+};
+
+}  // namespace skinfit::test
