@@ -74,6 +74,7 @@ struct AngularSpectrum {
 };
 
 /// A mean BRDF (BTDF for transmitted light) and its standard error, from the binomial error of its counts; 1/sr.
+/// Both are zero where no ray was counted.
 struct BrdfValue {
     double per_sr = 0.0;
     double standard_error = 0.0;

@@ -105,8 +105,8 @@ TEST(GoniophotometerLaws, SurfaceReflectionAtNormalIncidenceIsTheFoldWarp) {
 }
 
 TEST(GoniophotometerLaws, StandardErrorIsTheScatterOverSeeds) {
-    // The sum of squares over se^2 of s independent runs is chi-square with s - 1 degrees of freedom; a ring of two wavelengths
-    // of different weights.
+    // The sum of squares over se^2 of s independent runs is chi-square with s - 1 degrees of freedom; a ring of two
+    // wavelengths of different weights.
     constexpr int runs = 400;
     std::vector<BrdfValue> values;
     for (int run = 0; run < runs; ++run) {
