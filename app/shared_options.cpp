@@ -29,8 +29,8 @@ void add_shared_options(CLI::App& command, SharedOptions& options, const std::ve
     command.add_flag("--no-cache", options.no_cache, "do not keep or use recorded walks");
 }
 
-Configuration configuration_from(const SharedOptions& options) {
-    Configuration configuration = default_configuration();
+Configuration configuration_from(const SharedOptions& options, const Configuration& defaults) {
+    Configuration configuration = defaults;
     if (!options.config.empty()) {
         configuration = configured_by_text(configuration, read_file(options.config), options.config);
     }

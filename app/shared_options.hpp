@@ -27,8 +27,9 @@ struct SharedOptions {
 /// Adds them to `command`; `formats` are the choices of --format, the first the default.
 void add_shared_options(CLI::App& command, SharedOptions& options, const std::vector<std::string>& formats);
 
-/// The default configuration, changed by --config and then by each --set. Throws InputError.
-[[nodiscard]] Configuration configuration_from(const SharedOptions& options);
+/// `defaults`, changed by --config and then by each --set. Throws InputError.
+[[nodiscard]] Configuration configuration_from(const SharedOptions& options,
+                                               const Configuration& defaults = default_configuration());
 
 /// The cache for recorded walks as the options ask for; its messages go to stderr.
 [[nodiscard]] EnsembleCache cache_from(const SharedOptions& options);

@@ -5,39 +5,10 @@
 
 #include <algorithm>
 
+#include "model/analog_ray.hpp"
 #include "model/chromophores.hpp"
 
 namespace skinfit {
-namespace {
-
-void count_ray(const LayerStack& stack, const PerLayer<double>& optical_depth, const RandomRay& random,
-               double incidence_cosine, WalkCounts& counts) {
-    RandomWalk walk(stack, random);
-    const RandomWalk::FirstHit first = walk.first_hit(incidence_cosine);
-    if (first.reflected) {
-        ++counts.surface_reflected;
-        return;
-    }
-    std::size_t last_layer = 0;
-    const Exit exit = walk.below_surface(first.refracted_cosine, [&](int layer, double cosine, double xi) {
-        last_layer = static_cast<std::size_t>(layer);
-        return xi < std::exp(-optical_depth[last_layer] / cosine);  // [KA04, Eq. 5]
-    });
-    switch (exit) {
-        case Exit::reflected:
-            ++counts.subsurface_reflected;
-            break;
-        case Exit::transmitted:
-            ++counts.transmitted;
-            break;
-        default:
-            ++counts.absorbed[last_layer];
-            break;
-    }
-}
-
-}  // namespace
-
 WalkCounts& WalkCounts::operator+=(const WalkCounts& other) {
     rays += other.rays;
     surface_reflected += other.surface_reflected;
@@ -58,9 +29,9 @@ std::vector<WalkCounts> random_walk(const Sample& sample, const std::vector<doub
             tbb::blocked_range<std::uint64_t>(0, options.rays, 1000), WalkCounts{},
             [&](const tbb::blocked_range<std::uint64_t>& range, WalkCounts counts) {
                 for (std::uint64_t ray = range.begin(); ray != range.end(); ++ray) {
-                    count_ray(stack, depth, RandomRay(options.seed, ray), incidence_cosine, counts);
+                    RandomWalk walk(stack, RandomRay(options.seed, ray));
+                    (void)follow_analog(walk, depth, incidence_cosine, counts);
                 }
-                counts.rays += range.size();
                 return counts;
             },
             [](WalkCounts a, const WalkCounts& b) { return a += b; }));

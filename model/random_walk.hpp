@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/azimuth.hpp"
 #include "model/fresnel.hpp"
 #include "model/layer_stack.hpp"
 #include "model/random.hpp"
@@ -15,13 +16,15 @@ namespace skinfit {
 enum class Exit { surface, reflected, transmitted, absorbed };
 
 /// One ray's walk below the skin's surface, [KA04, Sec. 3]. The polar cosine alone decides where it goes: azimuths
-/// are uniform and nothing in the layers depends on them.
+/// are uniform and nothing in the layers depends on them. `Azimuth` follows the ray's azimuth or ignores it; the walk
+/// is the same, number by number.
 ///
 /// `on_run(layer, cosine, xi)` is called for each completed run with the layer's number, the cosine to the normal and
 /// the uniform number of the run's absorption test; the ray ends as absorbed where it returns false.
-class RandomWalk {
+template <class Azimuth>
+class BasicRandomWalk {
 public:
-    RandomWalk(const LayerStack& stack, const RandomRay& random) : stack_(&stack), random_(random) {}
+    BasicRandomWalk(const LayerStack& stack, const RandomRay& random) : stack_(&stack), random_(random) {}
 
     /// Whether a ray of incidence cosine `cosine` is reflected at the surface, and where it goes if not.
     struct FirstHit {
@@ -53,24 +56,34 @@ public:
         }
     }
 
+    /// The direction of a ray that has left through the top or the base, outside: its cosine to the normal and its
+    /// azimuth.
+    [[nodiscard]] double exit_cosine() const { return cosine_; }
+    [[nodiscard]] const Azimuth& azimuth() const { return azimuth_; }
+
 private:
     static constexpr int down = 1;
 
     /// Stratum corneum and epidermis: a direction that has turned back is drawn again. (open in [KA04])
     bool scatter_forward(std::uint32_t event, const FourUniforms& xi) {
-        double next = forward_cosine(xi[0], xi[1]);
+        Deflection deflection = forward_deflection(xi[0], xi[1]);
+        double next = deflected_cosine(cosine_, deflection);
         for (std::uint32_t attempt = 1; next <= 0.0; ++attempt) {
             const FourUniforms again = random_.uniforms(event, attempt);
-            next = forward_cosine(again[0], again[1]);
-            if (next <= 0.0) next = forward_cosine(again[2], again[3]);
+            deflection = forward_deflection(again[0], again[1]);
+            next = deflected_cosine(cosine_, deflection);
+            if (next > 0.0) break;
+            deflection = forward_deflection(again[2], again[3]);
+            next = deflected_cosine(cosine_, deflection);
         }
+        azimuth_.deflect(cosine_, deflection);
         cosine_ = next;
         return true;
     }
 
-    double forward_cosine(double polar_xi, double azimuth_xi) const {
+    [[nodiscard]] Deflection forward_deflection(double polar_xi, double azimuth_xi) const {
         const double polar = stack_->forward[static_cast<std::size_t>(layer_)].polar_angle(polar_xi);
-        return deflected_cosine(cosine_, small_cosine(polar), small_sine(polar), cosine_of_turns(azimuth_xi));
+        return {.cosine = small_cosine(polar), .sine = small_sine(polar), .azimuth_turns = azimuth_xi};
     }
 
     /// The dermis: the Rayleigh test where the edition asks for one, else diffuse. Returns false where the ray has
@@ -82,11 +95,15 @@ private:
             asks && xi[0] < 1.0 - std::exp(-stack_->rayleigh_depth[static_cast<std::size_t>(layer_)] / cosine_);
         if (!rayleigh) {
             cosine_ = DiffuseScattering::cosine(xi[1]);
+            // The first further attempt's numbers: only a Rayleigh scattering takes them otherwise.
+            azimuth_.draw([&] { return random_.uniforms(event, 1)[0]; });
             return true;
         }
         const double polar_cosine = rayleigh_cosine(event);
-        const double polar_sine = std::sqrt(1.0 - polar_cosine * polar_cosine);
-        const double next = deflected_cosine(cosine_, polar_cosine, polar_sine, cosine_of_turns(xi[1]));
+        const Deflection deflection{
+            .cosine = polar_cosine, .sine = std::sqrt(1.0 - polar_cosine * polar_cosine), .azimuth_turns = xi[1]};
+        const double next = deflected_cosine(cosine_, deflection);
+        azimuth_.deflect(cosine_, deflection);
         cosine_ = std::abs(next);
         if (next < 0.0) step_ = -step_;
         return next >= 0.0;
@@ -133,7 +150,11 @@ private:
     int step_ = down;       // to the next layer
     bool bounced_ = false;  // reflected at interface 3, 4 or 5
     double cosine_ = 1.0;
+    [[no_unique_address]] Azimuth azimuth_;
 };
+
+using RandomWalk = BasicRandomWalk<IgnoredAzimuth>;
+using SpatialRandomWalk = BasicRandomWalk<FollowedAzimuth>;
 
 /// How the rays of one wavelength ended; the counts sum to `rays` exactly.
 struct WalkCounts {

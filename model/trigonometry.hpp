@@ -46,4 +46,9 @@ template <int terms, int first>
     return angle * detail::alternating_series<8, 1>(angle * angle);
 }
 
+/// The sine of `turns` full turns, 0 to 1: the cosine a quarter turn earlier.
+[[nodiscard]] inline double sine_of_turns(double turns) {
+    return cosine_of_turns(turns < 0.25 ? turns + 0.75 : turns - 0.25);
+}
+
 }  // namespace skinfit

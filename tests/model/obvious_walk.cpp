@@ -115,6 +115,7 @@ private:
         Vector direction = {std::sin(task_.incidence_rad), 0, -std::cos(task_.incidence_rad)};
         if (meet(direction, 1.0, index_[0])) {
             ++counts.surface;
+            if (task_.on_exit) report(WayOut::surface, warped(direction));
             return;
         }
         std::size_t layer = 0;
@@ -133,11 +134,13 @@ private:
             if (!down && layer == 0) {
                 if (!meet(direction, index_[0], 1.0)) {
                     ++counts.subsurface;
+                    report(WayOut::subsurface, direction);
                     return;
                 }
             } else if (lowest) {
                 if (!reflected_by_base(direction, layer)) {
                     ++counts.transmitted;
+                    report(WayOut::transmitted, direction);
                     return;
                 }
                 bounced = true;
@@ -151,6 +154,27 @@ private:
                 }
             }
         }
+    }
+
+    void report(WayOut way_out, const Vector& direction) const {
+        if (task_.on_exit) task_.on_exit({way_out, direction.x, direction.y, direction.z});
+    }
+
+    /// The mirror direction `mirror` as the folds of the skin perturb it, above the horizon.
+    Vector warped(const Vector& mirror) {
+        for (;;) {
+            const Vector direction = turned(mirror, fold_angle(), 2 * pi * xi());
+            if (direction.z > 0) return direction;
+        }
+    }
+
+    double fold_angle() {
+        const double sigma = task_.sample.skin.fold_aspect_ratio;
+        const double u = xi();
+        if (task_.sample.edition == Edition::revised)
+            return std::acos(std::sqrt((1 - u) / (1 + (sigma * sigma - 1) * u)));
+        const double fourth = std::pow(sigma, 4);
+        return std::acos(std::sqrt((sigma * sigma / std::sqrt(fourth - fourth * u + u) - 1) / (sigma * sigma - 1)));
     }
 
     bool reflected_by_base(Vector& direction, std::size_t layer) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 
 #include "model/skin.hpp"
 
@@ -18,6 +19,14 @@ struct ObviousCounts {
 /// When a run in the dermis asks for the Rayleigh test, `../shared/design/model.md` section 3.
 enum class RayleighRule { until_bounced, downward };
 
+/// A ray that has left the sample: through which way out, and where to. z points up, out of the skin; the light came
+/// along x.
+enum class WayOut { surface, subsurface, transmitted };
+struct ObviousExit {
+    WayOut way_out;
+    double x, y, z;
+};
+
 /// What to follow.
 struct ObviousTask {
     Sample sample;
@@ -26,6 +35,7 @@ struct ObviousTask {
     std::uint64_t rays;
     std::uint64_t seed;
     RayleighRule rule;
+    std::function<void(const ObviousExit&)> on_exit{};  ///< may be empty; the folds warp directions only for this
 };
 
 /// The walk of [KA04] written as plainly as can be, with vectors in space, from `../shared/design/model.md` alone: the

@@ -21,6 +21,7 @@ TEST(Trigonometry, TurnsKeepTheStatedError) {
     for (int i = 0; i <= points; ++i) {
         const double turns = static_cast<double>(i) / points;
         ASSERT_NEAR(cosine_of_turns(turns), std::cos(2.0 * pi * turns), stated_error);
+        ASSERT_NEAR(sine_of_turns(turns), std::sin(2.0 * pi * turns), stated_error);
     }
 }
 

@@ -1,0 +1,161 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "app/commands.hpp"
+#include "app/shared_options.hpp"
+#include "core/input_error.hpp"
+#include "fit/configuration_json.hpp"
+#include "fit/goniophotometer_output.hpp"
+#include "fit/problem.hpp"
+#include "measurements/response.hpp"
+
+namespace skinfit {
+namespace {
+
+struct GonioCommand {
+    SharedOptions shared;
+    std::string wavelengths;
+    std::string rays;
+    std::string seed;
+    std::string illuminant = std::string(name_of(Illuminant::equal_energy));
+    std::string response;
+    std::string part = std::string(name_of(Light::reflected));
+    double polar_step_deg = 5.0;
+    double azimuth_step_deg = 10.0;
+    bool reciprocity = false;
+};
+
+template <class Enum>
+Enum choice(const std::string& name, std::initializer_list<Enum> values) {
+    return *std::ranges::find_if(values, [&](Enum value) { return name_of(value) == name; });
+}
+
+/// Green light unless a band is asked for, then the visible; enough rays for a per cent in most rings.
+Configuration gonio_defaults(const GonioCommand& command) {
+    Configuration configuration = default_configuration();
+    const bool band = !command.response.empty() || command.illuminant != name_of(Illuminant::equal_energy);
+    configuration.wavelengths = band ? "400:700:20" : "550";
+    configuration.rays = 1'000'000;
+    return configuration;
+}
+
+Configuration gonio_configuration(const GonioCommand& command) {
+    Configuration configuration = configuration_from(command.shared, gonio_defaults(command));
+    const auto take = [&](const char* key, const std::string& text) {
+        if (!text.empty()) configuration = configured_by_assignment(configuration, std::string(key) + "=" + text);
+    };
+    take("wavelengths", command.wavelengths);
+    take("rays", command.rays);
+    take("seed", command.seed);
+    return configuration;
+}
+
+/// How many steps make `whole_deg`.
+int steps_in(double whole_deg, double step_deg, const std::string& option) {
+    const double steps = std::round(whole_deg / step_deg);
+    // A decimal step and its product are each rounded once.
+    if (std::abs(steps * step_deg - whole_deg) <= 2.0 * std::numeric_limits<double>::epsilon() * whole_deg) {
+        return static_cast<int>(steps);
+    }
+    throw InputError({.where = option,
+                      .problem = fmt::format("{} degrees do not divide {}", step_deg, whole_deg),
+                      .why = "bins of equal width have to fill it",
+                      .remedy = fmt::format("give a step such as {}", whole_deg / std::max(1.0, steps))});
+}
+
+AngularBins bins_of(const GonioCommand& command) {
+    // Half a turn in whole steps: then one bin is centred on each half of the plane of incidence.
+    return {.polar = steps_in(90.0, command.polar_step_deg, "--polar-step"),
+            .azimuth = 2 * steps_in(180.0, command.azimuth_step_deg, "--azimuth-step")};
+}
+
+std::vector<double> weights_of(const GoniophotometerRun& run) {
+    std::vector<double> weights = band_weights(run.wavelengths_nm, run.illuminant);
+    if (!run.response.empty()) {
+        const Response response = read_response(run.response);
+        for (std::size_t i = 0; i < weights.size(); ++i) weights[i] *= response(run.wavelengths_nm[i]);
+    }
+    if (std::ranges::any_of(weights, [](double weight) { return weight > 0.0; })) return weights;
+    throw InputError({.where = "wavelengths",
+                      .problem = "none of them has any weight",
+                      .why = "illuminant times response is zero at each",
+                      .remedy = "choose wavelengths at which the band is not dark"});
+}
+
+/// Polar bins across the hemisphere, each once.
+std::vector<int> compared_bins(const AngularBins& bins) {
+    std::vector<int> polar_bins;
+    for (const double polar_deg : {12.5, 32.5, 52.5, 72.5}) {
+        polar_bins.push_back(static_cast<int>(polar_deg / 90.0 * bins.polar));
+    }
+    polar_bins.erase(std::ranges::unique(polar_bins).begin(), polar_bins.end());
+    return polar_bins;
+}
+
+std::string measure(const GonioCommand& command, GoniophotometerRun& run) {
+    const Experiment experiment = make_experiment(run.configuration, {});
+    const GoniophotometerOptions options{.incidence = {experiment.incidence_rad, experiment.incidence_rad},
+                                         .rays = run.configuration.rays,
+                                         .seed = run.configuration.seed,
+                                         .bins = run.spectrum.bins};
+    const bool json = command.shared.format == "json";
+    if (command.reciprocity) {
+        const std::vector<ReciprocityPair> pairs =
+            compare_both_ways(experiment.sample(), run.wavelengths_nm, run.spectrum.weights, run.light,
+                              compared_bins(run.spectrum.bins), options);
+        return json ? reciprocity_json(pairs, run).dump(2) + "\n" : reciprocity_csv(pairs, run);
+    }
+    run.spectrum.counts = goniophotometer(experiment.sample(), run.wavelengths_nm, options);
+    return json ? goniophotometer_json(run).dump(2) + "\n" : goniophotometer_csv(run);
+}
+
+int run(const GonioCommand& command) {
+    GoniophotometerRun run;
+    run.configuration = gonio_configuration(command);
+    run.wavelengths_nm = parse_wavelengths(run.configuration.wavelengths, "wavelengths");
+    run.illuminant = choice(command.illuminant, {Illuminant::equal_energy, Illuminant::d65, Illuminant::d65_v});
+    run.response = command.response;
+    run.light = choice(command.part, {Light::reflected, Light::surface, Light::subsurface});
+    run.spectrum.bins = bins_of(command);
+    run.spectrum.weights = weights_of(run);
+    (void)extinctions(run.wavelengths_nm, run.configuration.edition);  // refuses wavelengths outside the tables
+    check_output(command.shared);
+    const auto limit = thread_limit(command.shared);
+    write_output(command.shared, measure(command, run));
+    return trustworthy_result;
+}
+
+}  // namespace
+
+void add_gonio_command(CLI::App& app, int& exit_code) {
+    const auto command = std::make_shared<GonioCommand>();
+    CLI::App* const gonio = app.add_subcommand("gonio", "compute the BRDF (and BTDF) of a described skin");
+    gonio->add_option("--wavelengths", command->wavelengths,
+                      "nm: first:last:step or a list; 550, or 400:700:20 with --illuminant or --response");
+    gonio->add_option("--illuminant", command->illuminant, "weight of the wavelengths; d65_v is D65 times V(lambda)")
+        ->check(CLI::IsMember({"equal_energy", "d65", "d65_v"}))
+        ->capture_default_str();
+    gonio->add_option("--response", command->response, "file of wavelength_nm,response; multiplies the illuminant")
+        ->type_name("FILE");
+    gonio->add_option("--rays", command->rays, "per wavelength; 1000000");
+    gonio->add_option("--seed", command->seed, "of the random numbers");
+    gonio->add_option("--polar-step", command->polar_step_deg, "width of the bins of the polar angle, degrees")
+        ->check(CLI::Range(0.5, 90.0))
+        ->capture_default_str();
+    gonio->add_option("--azimuth-step", command->azimuth_step_deg, "width of the bins of the azimuth, degrees")
+        ->check(CLI::Range(0.5, 180.0))
+        ->capture_default_str();
+    gonio->add_option("--part", command->part, "of the reflected light")
+        ->check(CLI::IsMember({"total", "surface", "subsurface"}))
+        ->capture_default_str();
+    gonio->add_flag("--reciprocity", command->reciprocity,
+                    "compare both ways between pairs of directions, which the model does not promise to be equal");
+    add_shared_options(*gonio, command->shared, {"csv", "json"});
+    gonio->callback([command, &exit_code] { exit_code = run(*command); });
+}
+
+}  // namespace skinfit
