@@ -15,10 +15,19 @@ Minimum minimise(const Objective& objective, Solver solver, std::span<const doub
     return solver == Solver::ceres ? minimise_by_ceres(objective, start) : minimise_by_bobyqa(objective, start);
 }
 
-/// The minimum over a small part of the ensemble: most of the way for little of the cost.
-Minimum approach(const FitProblem& problem, const PathEnsemble& ensemble) {
-    constexpr std::uint64_t rays = 3000;
-    return minimise_by_ceres(Objective(problem, ensemble.with_about(rays)), starts(problem));
+ForwardModel make_model(const FitProblem& problem, Engine engine, const EnsembleCache& cache) {
+    const Sample sample = problem.experiment.sample();
+    if (engine == Engine::solver) return AngularSolver(sample, {.incidence_rad = problem.walk.incidence_rad});
+    return cached_ensemble(sample, true_wavelengths_nm(problem.experiment, problem.wavelength_nm), problem.walk, cache);
+}
+
+/// Where to start: with an ensemble at the minimum over a small part of it, which is most of the way for little of the
+/// cost; else at the problem's starts.
+std::vector<double> approach(const FitProblem& problem, const ForwardModel& model, Solver solver) {
+    constexpr std::uint64_t few_rays = 3000;
+    const auto* const ensemble = std::get_if<PathEnsemble>(&model);
+    if (ensemble == nullptr || solver != Solver::ceres) return starts(problem);
+    return minimise_by_ceres(Objective(problem, ensemble->with_about(few_rays)), starts(problem)).values;
 }
 
 std::vector<FittedParameter> fitted_parameters(const FitProblem& problem, const Minimum& minimum,
@@ -78,13 +87,9 @@ std::optional<double> largest_difference_in_sigmas(const FitResult& result, cons
 FitResult fit_spectrum(const Configuration& configuration, const Spectrum& spectrum, const FitOptions& options) {
     const Configuration complete = resolved(configuration, spectrum);
     const FitProblem problem = make_problem(complete, spectrum);
-    const PathEnsemble ensemble =
-        cached_ensemble(problem.experiment.sample(), true_wavelengths_nm(problem.experiment, problem.wavelength_nm),
-                        problem.walk, options.cache);
-    const Objective objective(problem, ensemble);
-    const std::vector<double> start =
-        complete.solver == Solver::ceres ? approach(problem, ensemble).values : starts(problem);
-    const Minimum minimum = minimise(objective, complete.solver, start);
+    const ForwardModel model = make_model(problem, complete.engine, options.cache);
+    const Objective objective(problem, model);
+    const Minimum minimum = minimise(objective, complete.solver, approach(problem, model, complete.solver));
     const Uncertainty uncertainty = estimate_uncertainty(objective, minimum);
     const Objective::Modelled modelled = objective.model(minimum.values);
 

@@ -79,7 +79,8 @@ std::string comments(const GoniophotometerRun& run, std::string_view title) {
         text += fmt::format(" {}={}", info.name, value_of(run.configuration.values, info.parameter));
     }
     return text +
-           "\n# an ideal goniophotometer: specular, scale, offset, specular_fraction and wavelength_shift_nm are not used\n";
+           "\n# an ideal goniophotometer: specular, scale, offset, specular_fraction and wavelength_shift_nm are not "
+           "used\n";
 }
 
 Json counts_json(const WalkCounts& counts) {

@@ -8,52 +8,40 @@ namespace {
 
 using Row = Eigen::Index;
 
-/// What the instrument collects of the light at one wavelength, before its scale and offset.
-struct Collected {
-    double share;
-    double by_specular_fraction;
-};
-
-Collected collected(const Experiment& experiment, Quantity quantity, const Escape& escape, double surface_share) {
-    if (quantity == Quantity::transmittance) return {.share = escape.share, .by_specular_fraction = 0.0};
-    return {.share = escape.share + surface_weight(experiment) * surface_share,
-            .by_specular_fraction = experiment.specular == Specular::excluded ? surface_share : 0.0};
+/// The share of the surface reflectance in the reading.
+double collected_surface(const Experiment& experiment, Quantity quantity) {
+    return quantity == Quantity::reflectance ? surface_weight(experiment) : 0.0;
 }
 
-double reading_derivative(const Experiment& experiment, const Extinction& extinction, const Escape& escape,
-                          const Collected& light, Parameter parameter) {
-    const Instrument& instrument = experiment.values.instrument;
-    switch (parameter) {
+/// The derivative of the reading by the free parameter of one column.
+double reading_derivative(const FitProblem& problem, const Experiment& experiment, const Light& light, Row column) {
+    const double surface = collected_surface(experiment, problem.quantity);
+    const double scale = experiment.values.instrument.scale;
+    const bool collects_fraction =
+        problem.quantity == Quantity::reflectance && experiment.specular == Specular::excluded;
+    switch (problem.free[static_cast<std::size_t>(column)].parameter) {
         case Parameter::scale:
-            return light.share;
+            return light.share + surface * light.surface;
         case Parameter::offset:
             return 1.0;
         case Parameter::specular_fraction:
-            return instrument.scale * light.by_specular_fraction;
+            return collects_fraction ? scale * light.surface : 0.0;
         default:
-            break;
+            return scale * (light.share_by[column] + surface * light.surface_by[column]);
     }
-    const PerLayer<double> depth = optical_depth_derivative(experiment.values.skin, extinction, parameter);
-    double sum = 0.0;
-    for (std::size_t layer = 0; layer < layer_count; ++layer) sum += escape.by_optical_depth[layer] * depth[layer];
-    return instrument.scale * sum;
 }
 
 }  // namespace
 
-Objective::Objective(const FitProblem& problem, PathEnsemble ensemble)
-    : problem_(&problem),
-      ensemble_(std::move(ensemble)),
-      extinctions_(
-          extinctions(true_wavelengths_nm(problem.experiment, problem.wavelength_nm), problem.experiment.edition)) {
-    assert(ensemble_.wavelength_count() == residual_count());
+Objective::Objective(const FitProblem& problem, ForwardModel model) : problem_(&problem), model_(std::move(model)) {
+    for (const FreeParameter& free : problem.free) parameters_.push_back(free.parameter);
 }
 
-ParameterValues Objective::with(std::span<const double> values) const {
+Experiment Objective::with(std::span<const double> values) const {
     assert(values.size() == free_count());
-    ParameterValues all = problem_->experiment.values;
-    for (std::size_t i = 0; i < values.size(); ++i) value_of(all, problem_->free[i].parameter) = values[i];
-    return all;
+    Experiment experiment = problem_->experiment;
+    for (std::size_t i = 0; i < values.size(); ++i) value_of(experiment.values, parameters_[i]) = values[i];
+    return experiment;
 }
 
 Side Objective::side() const {
@@ -61,24 +49,20 @@ Side Objective::side() const {
 }
 
 Objective::Modelled Objective::model(std::span<const double> values) const {
-    Experiment experiment = problem_->experiment;
-    experiment.values = with(values);
+    const Experiment experiment = with(values);
     const Instrument& instrument = experiment.values.instrument;
-    const std::vector<EnsembleResponse> responses =
-        ensemble_.respond(optical_depths(experiment.values.skin, extinctions_));
+    const double surface = collected_surface(experiment, problem_->quantity);
+    const std::vector<Light> lights = light_of(model_, experiment, side(), problem_->wavelength_nm, parameters_);
     const auto rows = static_cast<Row>(residual_count());
     Modelled modelled{.reading = Eigen::VectorXd(rows),
                       .jacobian = Eigen::MatrixXd(rows, static_cast<Row>(free_count())),
                       .standard_error = Eigen::VectorXd(rows)};
     for (Row row = 0; row < rows; ++row) {
-        const auto i = static_cast<std::size_t>(row);
-        const Escape& escape = responses[i][side()];
-        const Collected light = collected(experiment, problem_->quantity, escape, ensemble_.surface_share());
-        modelled.reading[row] = instrument.scale * light.share + instrument.offset;
-        modelled.standard_error[row] = instrument.scale * escape.standard_error;
+        const Light& light = lights[static_cast<std::size_t>(row)];
+        modelled.reading[row] = instrument.scale * (light.share + surface * light.surface) + instrument.offset;
+        modelled.standard_error[row] = instrument.scale * light.standard_error;
         for (Row column = 0; column < modelled.jacobian.cols(); ++column) {
-            modelled.jacobian(row, column) = reading_derivative(
-                experiment, extinctions_[i], escape, light, problem_->free[static_cast<std::size_t>(column)].parameter);
+            modelled.jacobian(row, column) = reading_derivative(*problem_, experiment, light, column);
         }
     }
     return modelled;
@@ -98,16 +82,20 @@ double Objective::chi2(std::span<const double> values) const {
 }
 
 Eigen::MatrixXd Objective::batch_readings(std::span<const double> values) const {
-    Experiment experiment = problem_->experiment;
-    experiment.values = with(values);
-    const auto shares = ensemble_.batch_shares(optical_depths(experiment.values.skin, extinctions_), side());
-    Eigen::MatrixXd readings(static_cast<Row>(shares.size()), static_cast<Row>(PathEnsemble::batch_count));
+    constexpr auto batches = static_cast<Row>(PathEnsemble::batch_count);
+    const auto* const ensemble = std::get_if<PathEnsemble>(&model_);
+    if (ensemble == nullptr) return model(values).reading.replicate(1, batches);
+    const Experiment experiment = with(values);
+    const Instrument& instrument = experiment.values.instrument;
+    const double surface = collected_surface(experiment, problem_->quantity) * ensemble->surface_share();
+    const std::vector<Extinction> pigments =
+        extinctions(true_wavelengths_nm(experiment, problem_->wavelength_nm), experiment.edition);
+    const auto shares = ensemble->batch_shares(optical_depths(experiment.values.skin, pigments), side());
+    Eigen::MatrixXd readings(static_cast<Row>(shares.size()), batches);
     for (Row row = 0; row < readings.rows(); ++row) {
-        for (Row batch = 0; batch < readings.cols(); ++batch) {
-            const Escape escape{.share = shares[static_cast<std::size_t>(row)][static_cast<std::size_t>(batch)]};
-            const Collected light = collected(experiment, problem_->quantity, escape, ensemble_.surface_share());
-            readings(row, batch) =
-                experiment.values.instrument.scale * light.share + experiment.values.instrument.offset;
+        for (Row batch = 0; batch < batches; ++batch) {
+            const double share = shares[static_cast<std::size_t>(row)][static_cast<std::size_t>(batch)];
+            readings(row, batch) = instrument.scale * (share + surface) + instrument.offset;
         }
     }
     return readings;

@@ -4,16 +4,16 @@
 #include <span>
 #include <vector>
 
+#include "fit/forward_model.hpp"
 #include "fit/problem.hpp"
-#include "model/path_ensemble.hpp"
 
 namespace skinfit {
 
 /// The misfit of one problem as a function of its free parameters, smooth and with exact derivatives.
 class Objective {
 public:
-    /// `ensemble` must have been traced for the problem's experiment.
-    Objective(const FitProblem& problem, PathEnsemble ensemble);
+    /// `model` must have been made for the problem's experiment.
+    Objective(const FitProblem& problem, ForwardModel model);
 
     [[nodiscard]] const FitProblem& problem() const { return *problem_; }
     [[nodiscard]] std::size_t residual_count() const { return problem_->wavelength_nm.size(); }
@@ -33,16 +33,17 @@ public:
     /// The sum of squared residuals at values of the free parameters.
     [[nodiscard]] double chi2(std::span<const double> values) const;
 
-    /// The reading as each batch of the ensemble alone gives it: wavelengths x batches.
+    /// The reading as each batch of the ensemble alone gives it: wavelengths x batches. Without an ensemble there is no
+    /// scatter: all columns are the reading.
     [[nodiscard]] Eigen::MatrixXd batch_readings(std::span<const double> values) const;
 
 private:
-    [[nodiscard]] ParameterValues with(std::span<const double> values) const;
+    [[nodiscard]] Experiment with(std::span<const double> values) const;
     [[nodiscard]] Side side() const;
 
     const FitProblem* problem_;
-    PathEnsemble ensemble_;
-    std::vector<Extinction> extinctions_;
+    ForwardModel model_;
+    std::vector<Parameter> parameters_;  // the free ones
 };
 
 }  // namespace skinfit

@@ -14,11 +14,17 @@ std::string key(const FreeParameter& free) {
 
 void check_free(const FreeParameter& free, const Configuration& configuration) {
     const ParameterInfo& row = info(free.parameter);
-    if (row.steers) {
+    if (row.steers && configuration.engine == Engine::paths) {
         throw InputError({.where = key(free),
                           .problem = "cannot be adjusted by engine paths",
                           .why = "it changes where light goes, so every recorded path would have to be traced again",
-                          .remedy = fmt::format("fix it at a value (--fix {} --set {}=...)", row.name, row.name)});
+                          .remedy = fmt::format("set engine=solver, or fix it (--fix {})", row.name)});
+    }
+    if (free.parameter == Parameter::fold_aspect_ratio) {
+        throw InputError({.where = key(free),
+                          .problem = "has no effect",
+                          .why = "folds turn the surface reflection without making it more or less",
+                          .remedy = fmt::format("fix it (--fix {})", row.name)});
     }
     if (free.parameter == Parameter::specular_fraction &&
         (configuration.specular == Specular::included || configuration.quantity == Quantity::transmittance)) {
@@ -33,6 +39,20 @@ void check_free(const FreeParameter& free, const Configuration& configuration) {
                           .why = fmt::format("they are {} and {}", free.bounds.lower, free.bounds.upper),
                           .remedy = "set a start between them, widen them in a configuration, or fix it"});
     }
+}
+
+/// A free shift must not lead the model outside the tables.
+void check_shift(const FitProblem& problem, const FreeParameter& free) {
+    if (free.parameter != Parameter::wavelength_shift_nm) return;
+    const WavelengthRange modelled = modelled_wavelengths();
+    const double lowest = problem.wavelength_nm.front() + free.bounds.lower;
+    const double highest = problem.wavelength_nm.back() + free.bounds.upper;
+    if (lowest > modelled.lowest_nm && highest < modelled.highest_nm) return;
+    throw InputError(
+        {.where = key(free),
+         .problem = fmt::format("may lead to {} and {} nm", lowest, highest),
+         .why = fmt::format("the pigments are tabulated from {} to {} nm", modelled.lowest_nm, modelled.highest_nm),
+         .remedy = "narrow its bounds or the window of the fit"});
 }
 
 void check_wavelengths(const Configuration& configuration, const Spectrum& spectrum) {
@@ -88,11 +108,11 @@ Configuration resolved(Configuration configuration, const Spectrum& spectrum) {
 }
 
 FitProblem make_problem(const Configuration& configuration, const Spectrum& spectrum) {
-    if (configuration.engine != Engine::paths) {
+    if (configuration.engine == Engine::walk) {
         throw InputError({.where = "engine",
                           .problem = "walk cannot be fitted",
                           .why = "its result moves in steps of one ray",
-                          .remedy = "set engine=paths"});
+                          .remedy = "set engine=paths or engine=solver"});
     }
     check_wavelengths(configuration, spectrum);
     FitProblem problem{.experiment = make_experiment(configuration, spectrum.geometry),
@@ -120,6 +140,7 @@ FitProblem make_problem(const Configuration& configuration, const Spectrum& spec
                                  .start = value_of(configuration.values, parameter),
                                  .bounds = configuration.bounds[static_cast<std::size_t>(parameter)]};
         check_free(free, configuration);
+        check_shift(problem, free);
         problem.free.push_back(free);
     }
     if (problem.free.empty()) {

@@ -21,6 +21,11 @@ std::string unit_in_words(const ParameterInfo& info) {
     return info.unit.empty() ? "-" : std::string(info.unit);
 }
 
+/// Two digits; the angular solver draws no random numbers.
+std::string monte_carlo_words(double error) {
+    return error > 0.0 ? rounded(error, error) : "none";
+}
+
 std::string parameter_row(const FittedParameter& fitted) {
     const ParameterInfo& row = info(fitted.parameter);
     const ParameterUncertainty& uncertainty = fitted.uncertainty;
@@ -31,9 +36,8 @@ std::string parameter_row(const FittedParameter& fitted) {
     switch (uncertainty.status) {
         case Status::free:
             return fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}\n", row.name, rounded(fitted.value, grain),
-                               rounded(*uncertainty.sigma, grain),
-                               rounded(*uncertainty.monte_carlo_sigma, *uncertainty.monte_carlo_sigma), interval,
-                               unit_in_words(row));
+                               rounded(*uncertainty.sigma, grain), monte_carlo_words(*uncertainty.monte_carlo_sigma),
+                               interval, unit_in_words(row));
         case Status::not_identifiable:
             return fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}  NOT IDENTIFIABLE\n", row.name, "-", "-", "-",
                                interval, unit_in_words(row));
@@ -148,8 +152,8 @@ std::string text_report(const FitResult& result) {
     text += fmt::format("\n{}\n", parameter_table_text(result));
     text += fmt::format("misfit: rmse {:.5f}, chi2 {:.2f} for {} degrees of freedom{}\n", result.rmse, result.chi2,
                         result.degrees_of_freedom, result.p_value ? fmt::format(" (p = {:.2g})", *result.p_value) : "");
-    text += fmt::format("noise: {}; Monte Carlo error of the model: {:.5f}\n", result.sigma_source,
-                        result.monte_carlo_error);
+    text += fmt::format("noise: {}; Monte Carlo error of the model: {}\n", result.sigma_source,
+                        monte_carlo_words(result.monte_carlo_error));
     text += fmt::format("wavelengths: {} from {:g} to {:g} nm; values read as {}\n", result.wavelength_nm.size(),
                         result.wavelength_nm.front(), result.wavelength_nm.back(), result.unit_rule);
     return text + correlation_text(result) + cross_check_text(result) + fixed_text(result) +

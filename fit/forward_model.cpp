@@ -1,0 +1,86 @@
+#include "fit/forward_model.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <cassert>
+
+namespace skinfit {
+namespace {
+
+using Index = Eigen::Index;
+
+std::vector<Light> light_of_model(const PathEnsemble& ensemble, const Experiment& experiment, Side side,
+                                  const std::vector<double>& wavelengths_nm, std::span<const Parameter> parameters) {
+    const Skin& skin = experiment.values.skin;
+    const std::vector<Extinction> pigments =
+        extinctions(true_wavelengths_nm(experiment, wavelengths_nm), experiment.edition);
+    const std::vector<EnsembleResponse> responses = ensemble.respond(optical_depths(skin, pigments));
+    const auto columns = static_cast<Index>(parameters.size());
+    std::vector<Light> lights;
+    for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
+        const Escape& escape = responses[i][side];
+        Light light{.surface = ensemble.surface_share(),
+                    .share = escape.share,
+                    .standard_error = escape.standard_error,
+                    .surface_by = Eigen::RowVectorXd::Zero(columns),
+                    .share_by = Eigen::RowVectorXd::Zero(columns)};
+        for (Index column = 0; column < columns; ++column) {
+            const PerLayer<double> depth_by =
+                optical_depth_derivative(skin, pigments[i], parameters[static_cast<std::size_t>(column)]);
+            for (std::size_t layer = 0; layer < layer_count; ++layer) {
+                light.share_by[column] += escape.by_optical_depth[layer] * depth_by[layer];
+            }
+        }
+        lights.push_back(std::move(light));
+    }
+    return lights;
+}
+
+const AngularShare& share_of(const AngularResponse& response, Side side) {
+    return side == Side::top ? response.reflected : response.transmitted;
+}
+
+Light solved_light(const AngularSolver& solver, double wavelength_nm, Side side,
+                   std::span<const Parameter> parameters) {
+    constexpr double half_step_nm = 0.05;
+    const AngularResponse response = solver.respond(wavelength_nm);
+    const AngularShare& share = share_of(response, side);
+    const auto columns = static_cast<Index>(parameters.size());
+    Light light{.surface = response.surface.share,
+                .share = share.share,
+                .standard_error = 0.0,
+                .surface_by = Eigen::RowVectorXd(columns),
+                .share_by = Eigen::RowVectorXd(columns)};
+    for (Index column = 0; column < columns; ++column) {
+        const Parameter parameter = parameters[static_cast<std::size_t>(column)];
+        light.surface_by[column] = response.surface.by_parameter[static_cast<std::size_t>(parameter)];
+        light.share_by[column] = share.by_parameter[static_cast<std::size_t>(parameter)];
+        if (parameter == Parameter::wavelength_shift_nm) {
+            const double above = share_of(solver.shares(wavelength_nm + half_step_nm), side).share;
+            const double below = share_of(solver.shares(wavelength_nm - half_step_nm), side).share;
+            light.share_by[column] = (above - below) / (2.0 * half_step_nm);
+        }
+    }
+    return light;
+}
+
+std::vector<Light> light_of_model(const AngularSolver& solver, const Experiment& experiment, Side side,
+                                  const std::vector<double>& wavelengths_nm, std::span<const Parameter> parameters) {
+    const AngularSolver of_this_skin = solver.with(experiment.values.skin);
+    const std::vector<double> true_nm = true_wavelengths_nm(experiment, wavelengths_nm);
+    std::vector<Light> lights(true_nm.size());
+    tbb::parallel_for(std::size_t{0}, true_nm.size(),
+                      [&](std::size_t i) { lights[i] = solved_light(of_this_skin, true_nm[i], side, parameters); });
+    return lights;
+}
+
+}  // namespace
+
+std::vector<Light> light_of(const ForwardModel& model, const Experiment& experiment, Side side,
+                            const std::vector<double>& wavelengths_nm, std::span<const Parameter> parameters) {
+    return std::visit(
+        [&](const auto& engine) { return light_of_model(engine, experiment, side, wavelengths_nm, parameters); },
+        model);
+}
+
+}  // namespace skinfit
