@@ -84,7 +84,7 @@ double Objective::chi2(std::span<const double> values) const {
 Eigen::MatrixXd Objective::batch_readings(std::span<const double> values) const {
     constexpr auto batches = static_cast<Row>(PathEnsemble::batch_count);
     const auto* const ensemble = std::get_if<PathEnsemble>(&model_);
-    if (ensemble == nullptr) return model(values).reading.replicate(1, batches);
+    if (ensemble == nullptr) return Eigen::MatrixXd(static_cast<Row>(residual_count()), 0);
     const Experiment experiment = with(values);
     const Instrument& instrument = experiment.values.instrument;
     const double surface = collected_surface(experiment, problem_->quantity) * ensemble->surface_share();

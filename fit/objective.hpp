@@ -33,8 +33,7 @@ public:
     /// The sum of squared residuals at values of the free parameters.
     [[nodiscard]] double chi2(std::span<const double> values) const;
 
-    /// The reading as each batch of the ensemble alone gives it: wavelengths x batches. Without an ensemble there is no
-    /// scatter: all columns are the reading.
+    /// The reading as each batch of the ensemble alone gives it: wavelengths x batches; no columns without an ensemble.
     [[nodiscard]] Eigen::MatrixXd batch_readings(std::span<const double> values) const;
 
 private:

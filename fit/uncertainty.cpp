@@ -83,6 +83,7 @@ Bounds within(const Bounds& interval, const Bounds& limits) {
 /// The standard error of each inner parameter from the scatter of the ensemble's batches.
 VectorXd monte_carlo_sigmas(const Objective& objective, const Minimum& minimum, const Inverse& inverse) {
     MatrixXd readings = objective.batch_readings(minimum.values);
+    if (readings.cols() == 0) return VectorXd::Zero(inverse.response.rows());
     const auto batches = static_cast<double>(readings.cols());
     readings.colwise() -= VectorXd(readings.rowwise().mean());
     for (Index row = 0; row < readings.rows(); ++row) {
