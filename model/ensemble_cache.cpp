@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 #include <xxhash.h>
 
 #include <algorithm>
@@ -23,6 +24,21 @@ std::uint64_t walk_fingerprint(const Sample& sample, const std::vector<double>& 
     const PathEnsemble probe = PathEnsemble::trace(sample, wavelengths_nm, options);
     const std::span<const float> lengths = probe.recording().lengths;
     return XXH3_64bits(lengths.data(), lengths.size_bytes());
+}
+
+/// Refuses a recording that this machine's memory cannot hold, before hours have gone into it.
+void require_memory(std::size_t wavelengths, std::uint64_t rays) {
+    constexpr double gigabyte = 1e9;
+    const double needed = static_cast<double>(wavelengths) * static_cast<double>(rays) * sizeof(PerLayer<float>);
+    const double memory = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+    constexpr double usable_share = 0.7;
+    if (needed <= usable_share * memory) return;
+    throw InputError(
+        {.where = "rays",
+         .problem = fmt::format("{} rays at {} wavelengths fill {:.0f} GB", rays, wavelengths, needed / gigabyte),
+         .why =
+             fmt::format("engine paths keeps every path, and this machine has {:.0f} GB of memory", memory / gigabyte),
+         .remedy = "lower rays, take fewer wavelengths, or use engine walk or solver"});
 }
 
 /// Removes the longest unused files until `limit_bytes` holds the rest.
@@ -65,6 +81,7 @@ std::string ensemble_key(const Sample& sample, const std::vector<double>& wavele
 
 PathEnsemble cached_ensemble(const Sample& sample, const std::vector<double>& wavelengths_nm,
                              const WalkOptions& options, const EnsembleCache& cache) {
+    require_memory(wavelengths_nm.size(), options.rays);
     const auto trace = [&] {
         cache.inform(fmt::format("recording {} walks at each of {} wavelengths", options.rays, wavelengths_nm.size()));
         return PathEnsemble::trace(sample, wavelengths_nm, options);

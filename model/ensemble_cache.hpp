@@ -24,7 +24,8 @@ struct EnsembleCache {
                                        const WalkOptions& options);
 
 /// The ensemble from the cache, or traced anew and then kept. A file that is damaged, truncated or foreign is reported
-/// to `cache.warn` and replaced; a folder that cannot be written is reported and does no harm.
+/// to `cache.warn` and replaced; a folder that cannot be written is reported and does no harm. Throws InputError for a
+/// recording that needs more than 70 % of the machine's memory.
 [[nodiscard]] PathEnsemble cached_ensemble(const Sample& sample, const std::vector<double>& wavelengths_nm,
                                            const WalkOptions& options, const EnsembleCache& cache);
 

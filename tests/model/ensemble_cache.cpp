@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "core/file.hpp"
+#include "core/input_error.hpp"
 #include "model/parameters.hpp"
 
 namespace skinfit::test {
@@ -155,6 +156,14 @@ TEST_F(CacheTest, AFolderThatCannotBeWrittenWarnsAndDoesNoHarm) {
     expect_same_bits(get(), PathEnsemble::trace({}, wavelengths_nm, walk));
     EXPECT_EQ(warnings.size(), 1U);
     fs::remove(folder);
+}
+
+TEST_F(CacheTest, ARecordingBeyondTheMemoryIsRefusedAtOnce) {
+    WalkOptions endless = walk;
+    endless.rays = 1'000'000'000'000;
+    EXPECT_THROW((void)get({}, endless), InputError);
+    EXPECT_EQ(recordings, 0);
+    EXPECT_FALSE(fs::exists(folder));
 }
 
 TEST_F(CacheTest, TheLongestUnusedGoFirst) {
