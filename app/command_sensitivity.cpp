@@ -11,8 +11,8 @@ struct SensitivityCommand {
     SharedOptions shared;
     std::string wavelengths;
     std::string quantity;
-    std::string free;
-    std::string fix;
+    std::vector<std::string> free;
+    std::vector<std::string> fix;
     bool relative = false;
     std::filesystem::path plot;
 };
@@ -24,8 +24,8 @@ Configuration sensitivity_configuration(const SensitivityCommand& command) {
     };
     take("wavelengths", command.wavelengths);
     take("quantity", command.quantity);
-    if (!command.free.empty()) configuration = with_freedom(configuration, command.free, true, "--free");
-    if (!command.fix.empty()) configuration = with_freedom(configuration, command.fix, false, "--fix");
+    for (const std::string& names : command.free) configuration = with_freedom(configuration, names, true, "--free");
+    for (const std::string& names : command.fix) configuration = with_freedom(configuration, names, false, "--fix");
     return configuration;
 }
 
@@ -53,8 +53,14 @@ void add_sensitivity_command(CLI::App& app, int& exit_code) {
                           "each derivative times the value of its parameter, instead of per unit");
     sensitivity->add_option("--plot", command->plot, "draw value x derivative of the free parameters: .svg, .png, .pdf")
         ->type_name("FILE");
-    sensitivity->add_option("--free", command->free, "draw these parameters too")->type_name("NAME,NAME");
-    sensitivity->add_option("--fix", command->fix, "do not draw these parameters")->type_name("NAME,NAME");
+    sensitivity->add_option("--free", command->free, "draw these parameters too")
+        ->type_name("NAME,NAME")
+        ->expected(1)
+        ->take_all();
+    sensitivity->add_option("--fix", command->fix, "do not draw these parameters")
+        ->type_name("NAME,NAME")
+        ->expected(1)
+        ->take_all();
     add_shared_options(*sensitivity, command->shared, {"csv", "json"});
     sensitivity->footer("Exit code 0: done; 2: bad input; 3: internal error.");
     sensitivity->callback([command, &exit_code] { exit_code = run(*command); });

@@ -32,7 +32,7 @@ std::string terminal_of(const std::filesystem::path& path) {
 }
 
 /// `text` as a string of gnuplot's: between single quotes only the quote itself is special, and a line must not end.
-std::string quoted(std::string_view text) {
+std::string gnuplot_string(std::string_view text) {
     std::string result = "'";
     for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
@@ -54,13 +54,13 @@ std::string script_of(const Plot& plot, const std::string& terminal) {
         }
         script += "END\n";
     }
-    script += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", quoted(plot.title), quoted(plot.x_label),
-                          quoted(plot.y_label));
+    script += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", gnuplot_string(plot.title),
+                          gnuplot_string(plot.x_label), gnuplot_string(plot.y_label));
     script += "set key outside right top Left reverse\nset grid linecolor rgb '#dddddd'\nset xzeroaxis\nplot ";
     constexpr std::size_t colours = 8;  // of gnuplot; then another dash tells lines apart
     for (std::size_t i = 0; i < plot.lines.size(); ++i) {
         script += fmt::format("{}$line{} with linespoints linewidth 2 pointtype 7 pointsize 0.4 dashtype {} title {}",
-                              i == 0 ? "" : ", ", i, i / colours + 1, quoted(plot.lines[i].label));
+                              i == 0 ? "" : ", ", i, i / colours + 1, gnuplot_string(plot.lines[i].label));
     }
     return script + "\n";
 }
