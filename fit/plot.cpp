@@ -54,9 +54,14 @@ std::string script_of(const Plot& plot, const std::string& terminal) {
         }
         script += "END\n";
     }
-    script += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", gnuplot_string(plot.title),
-                          gnuplot_string(plot.x_label), gnuplot_string(plot.y_label));
-    script += "set key outside right top Left reverse\nset grid linecolor rgb '#dddddd'\nset xzeroaxis\nplot ";
+    // The title is centred on the picture: centred on the axes, a long one beside a wide legend would be cut off.
+    script += fmt::format("set label {} at screen 0.5,0.955 center\nset tmargin 3\nset xlabel {}\nset ylabel {}\n",
+                          gnuplot_string(plot.title), gnuplot_string(plot.x_label), gnuplot_string(plot.y_label));
+    script +=
+        "set linetype 5 linecolor rgb '#a65628'\n"  // brown: gnuplot's yellow is faint on white
+        "set grid linetype 1 linecolor rgb '#d0d0d0' linewidth 0.5\n"
+        "set xzeroaxis linetype 1 linecolor rgb '#606060'\n"
+        "set key outside right top Left reverse\nplot ";
     constexpr std::size_t colours = 8;  // of gnuplot; then another dash tells lines apart
     for (std::size_t i = 0; i < plot.lines.size(); ++i) {
         script += fmt::format("{}$line{} with linespoints linewidth 2 pointtype 7 pointsize 0.4 dashtype {} title {}",

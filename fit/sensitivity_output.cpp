@@ -19,8 +19,8 @@ Eigen::MatrixXd entries(const Sensitivity& sensitivity, Derivative derivative) {
 }
 
 std::string_view meaning(Derivative derivative) {
-    return derivative == Derivative::relative ? "parameter x dreading/dparameter"
-                                              : "dreading/dparameter, per unit of the parameter";
+    return derivative == Derivative::relative ? "parameter x d(reading)/d(parameter)"
+                                              : "d(reading)/d(parameter), per unit of the parameter";
 }
 
 std::string word(const Json& json) {
@@ -81,7 +81,7 @@ Plot sensitivity_plot(const Sensitivity& sensitivity) {
                                    configuration.incidence_deg.value(),
                                    specular_names.at(static_cast<std::size_t>(configuration.specular.value()))),
               .x_label = "wavelength (nm)",
-              .y_label = fmt::format("parameter x d{}/dparameter (fraction)", quantity),
+              .y_label = fmt::format("parameter x d({}) / d(parameter)  (fraction)", quantity),
               .lines = {}};
     const Eigen::MatrixXd relative = relative_derivative(sensitivity);
     for (std::size_t i = 0; i < sensitivity.parameters.size(); ++i) {
