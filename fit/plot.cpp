@@ -72,14 +72,18 @@ std::string script_of(const Plot& plot, const std::string& terminal) {
 
 using Stream = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
+[[noreturn]] void refuse_without_scratch(int error) {
+    throw InputError({.where = "plot",
+                      .problem = "no temporary file can be written",
+                      .why = std::strerror(error),
+                      .remedy = "make space in the folder of temporary files, or do without the plot"});
+}
+
 /// A file without a name, gone when it is closed.
 Stream scratch_file() {
     Stream stream(std::tmpfile(), &std::fclose);
-    if (stream) return stream;
-    throw InputError({.where = "plot",
-                      .problem = "no temporary file can be made",
-                      .why = std::strerror(errno),
-                      .remedy = "make space in the folder of temporary files"});
+    if (!stream) refuse_without_scratch(errno);
+    return stream;
 }
 
 std::string content_of(const Stream& stream) {
@@ -105,7 +109,7 @@ std::string picture(const std::string& script) {
     const Stream out = scratch_file();
     const Stream err = scratch_file();
     const bool is_stored = std::fwrite(script.data(), 1, script.size(), in.get()) == script.size();
-    if (!is_stored || std::fflush(in.get()) != 0) refuse_without_gnuplot(errno);
+    if (!is_stored || std::fflush(in.get()) != 0) refuse_without_scratch(errno);
     std::rewind(in.get());
     posix_spawn_file_actions_t actions;
     ::posix_spawn_file_actions_init(&actions);

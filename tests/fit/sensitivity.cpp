@@ -18,7 +18,7 @@ Configuration configuration_of(Quantity quantity) {
     configuration.quantity = quantity;
     configuration.incidence_deg = 30;
     configuration.specular = Specular::excluded;
-    configuration.base = Base{.kind = Base::Kind::matched};
+    if (quantity == Quantity::transmittance) configuration.base = Base{.kind = Base::Kind::matched};
     configuration.wavelengths = "433.3,544.9,641.1";
     configuration.values.instrument = {.scale = 1.1, .offset = 0.01, .specular_fraction = 0.3};
     return configuration;
@@ -117,6 +117,21 @@ TEST(Sensitivity, EveryParameterIsListedOnceAndTheIneffectiveApart) {
     for (const Parameter parameter : {Parameter::papillary_blood_fraction, Parameter::oxygen_saturation,
                                       Parameter::fibril_radius_nm, Parameter::reticular_dermis_thickness_cm}) {
         EXPECT_TRUE(is_ineffective(separated, parameter)) << info(parameter).name;
+    }
+}
+
+TEST(Sensitivity, TheIneffectiveDoNotMoveTheReading) {
+    Configuration configuration = configuration_of(Quantity::reflectance);
+    configuration.specular = Specular::included;
+    // Nothing that was absorbed in the reticular dermis comes back from a matched base.
+    configuration.base = Base{.kind = Base::Kind::matched};
+    const std::vector<Parameter> without_effect = sensitivity(configuration).without_effect;
+    EXPECT_EQ(without_effect, (std::vector{Parameter::reticular_blood_fraction, Parameter::fold_aspect_ratio,
+                                           Parameter::specular_fraction}));
+    for (const Parameter parameter : without_effect) {
+        Configuration changed = configuration;
+        value_of(changed.values, parameter) *= 1.5;
+        EXPECT_EQ(readings(changed), readings(configuration)) << info(parameter).name;
     }
 }
 
