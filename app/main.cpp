@@ -18,6 +18,7 @@ int run(int argc, char** argv) {
     app.set_version_flag("--version", std::string(skinfit::version));
     skinfit::add_fit_command(app, exit_code);
     skinfit::add_simulate_command(app, exit_code);
+    skinfit::add_sensitivity_command(app, exit_code);
     skinfit::add_gonio_command(app, exit_code);
     skinfit::add_config_command(app, exit_code);
     try {

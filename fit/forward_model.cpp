@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cassert>
 
 namespace skinfit {
@@ -56,9 +57,12 @@ Light solved_light(const AngularSolver& solver, double wavelength_nm, Side side,
         light.surface_by[column] = response.surface.by_parameter[static_cast<std::size_t>(parameter)];
         light.share_by[column] = share.by_parameter[static_cast<std::size_t>(parameter)];
         if (parameter == Parameter::wavelength_shift_nm) {
-            const double above = share_of(solver.shares(wavelength_nm + half_step_nm), side).share;
-            const double below = share_of(solver.shares(wavelength_nm - half_step_nm), side).share;
-            light.share_by[column] = (above - below) / (2.0 * half_step_nm);
+            // One-sided at the ends of the tables.
+            const double above_nm = std::min(wavelength_nm + half_step_nm, modelled_wavelengths().highest_nm);
+            const double below_nm = std::max(wavelength_nm - half_step_nm, modelled_wavelengths().lowest_nm);
+            const double above = share_of(solver.shares(above_nm), side).share;
+            const double below = share_of(solver.shares(below_nm), side).share;
+            light.share_by[column] = (above - below) / (above_nm - below_nm);
         }
     }
     return light;

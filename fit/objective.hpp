@@ -38,7 +38,6 @@ public:
 
 private:
     [[nodiscard]] Experiment with(std::span<const double> values) const;
-    [[nodiscard]] Side side() const;
 
     const FitProblem* problem_;
     ForwardModel model_;

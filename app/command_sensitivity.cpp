@@ -1,0 +1,69 @@
+#include "app/commands.hpp"
+#include "app/shared_options.hpp"
+#include "fit/configuration_json.hpp"
+#include "fit/plot.hpp"
+#include "fit/sensitivity.hpp"
+
+namespace skinfit {
+namespace {
+
+struct SensitivityCommand {
+    SharedOptions shared;
+    std::string wavelengths;
+    std::string quantity;
+    std::vector<std::string> free;
+    std::vector<std::string> fix;
+    bool relative = false;
+    std::filesystem::path plot;
+};
+
+Configuration sensitivity_configuration(const SensitivityCommand& command) {
+    Configuration configuration = configuration_from(command.shared);
+    const auto take = [&](const char* key, const std::string& text) {
+        if (!text.empty()) configuration = configured_by_word(configuration, key, text, std::string("--") + key);
+    };
+    take("wavelengths", command.wavelengths);
+    take("quantity", command.quantity);
+    for (const std::string& names : command.free) configuration = with_freedom(configuration, names, true, "--free");
+    for (const std::string& names : command.fix) configuration = with_freedom(configuration, names, false, "--fix");
+    return configuration;
+}
+
+int run(const SensitivityCommand& command) {
+    const Configuration configuration = sensitivity_configuration(command);
+    check_output(command.shared);
+    const auto limit = thread_limit(command.shared);
+    const Sensitivity result = sensitivity(configuration);
+    const Derivative derivative = command.relative ? Derivative::relative : Derivative::per_unit;
+    if (!command.plot.empty()) draw(sensitivity_plot(result), command.plot);
+    write_output(command.shared, command.shared.format == "json" ? json_text(sensitivity_json(result, derivative))
+                                                                 : sensitivity_csv(result, derivative));
+    return trustworthy_result;
+}
+
+}  // namespace
+
+void add_sensitivity_command(CLI::App& app, int& exit_code) {
+    const auto command = std::make_shared<SensitivityCommand>();
+    CLI::App* const sensitivity =
+        app.add_subcommand("sensitivity", "compute how the reading answers to each parameter, by wavelength");
+    sensitivity->add_option("--wavelengths", command->wavelengths, "nm: first:last:step as in 400:700:20, or a list");
+    sensitivity->add_option("--quantity", command->quantity, "reflectance (as without it) or transmittance");
+    sensitivity->add_flag("--relative", command->relative,
+                          "each derivative times the value of its parameter, instead of per unit");
+    sensitivity->add_option("--plot", command->plot, "draw value x derivative of the free parameters: .svg, .png, .pdf")
+        ->type_name("FILE");
+    sensitivity->add_option("--free", command->free, "draw these parameters too")
+        ->type_name("NAME,NAME")
+        ->expected(1)
+        ->take_all();
+    sensitivity->add_option("--fix", command->fix, "do not draw these parameters")
+        ->type_name("NAME,NAME")
+        ->expected(1)
+        ->take_all();
+    add_shared_options(*sensitivity, command->shared, {"csv", "json"});
+    sensitivity->footer("Exit code 0: done; 2: bad input; 3: internal error.");
+    sensitivity->callback([command, &exit_code] { exit_code = run(*command); });
+}
+
+}  // namespace skinfit

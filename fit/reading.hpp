@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+#include "core/geometry.hpp"
+#include "fit/forward_model.hpp"
+#include "model/parameters.hpp"
+#include "model/spectrophotometer.hpp"
+
+/// What the instrument makes of the light of one wavelength.
+namespace skinfit {
+
+/// The side through which the light of `quantity` leaves.
+[[nodiscard]] Side measured_side(Quantity quantity);
+
+/// The share of the surface reflectance in the reading.
+[[nodiscard]] double collected_surface(const Experiment& experiment, Quantity quantity);
+
+/// The reading, a fraction: scale * light + offset.
+[[nodiscard]] double reading(const Light& light, const Experiment& experiment, Quantity quantity);
+
+/// The derivatives of `reading` by `parameters`, each per unit of the parameter; `light` must have been computed with
+/// derivatives by the same parameters.
+[[nodiscard]] Eigen::RowVectorXd reading_derivatives(const Light& light, const Experiment& experiment,
+                                                     Quantity quantity, std::span<const Parameter> parameters);
+
+}  // namespace skinfit

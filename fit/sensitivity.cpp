@@ -1,0 +1,58 @@
+#include "fit/sensitivity.hpp"
+
+#include "fit/problem.hpp"
+#include "fit/reading.hpp"
+
+namespace skinfit {
+namespace {
+
+using Index = Eigen::Index;
+
+std::vector<Parameter> all_parameters() {
+    std::vector<Parameter> parameters;
+    for (const ParameterInfo& row : parameter_table()) parameters.push_back(row.parameter);
+    return parameters;
+}
+
+}  // namespace
+
+Sensitivity sensitivity(const Configuration& configuration) {
+    Sensitivity result{.configuration = resolved(configuration, Spectrum{}),
+                       .wavelength_nm = parse_wavelengths(configuration.wavelengths, "wavelengths"),
+                       .reading = {},
+                       .parameters = {},
+                       .without_effect = {},
+                       .derivative = {}};
+    result.configuration.engine = Engine::solver;
+    const Quantity quantity = result.configuration.quantity.value();
+    const Experiment experiment = make_experiment(result.configuration, {});
+    (void)extinctions(true_wavelengths_nm(experiment, result.wavelength_nm), experiment.edition);  // refuses early
+    const std::vector<Parameter> parameters = all_parameters();
+    const std::vector<Light> lights =
+        light_of(AngularSolver(experiment.sample(), {.incidence_rad = experiment.incidence_rad}), experiment,
+                 measured_side(quantity), result.wavelength_nm, parameters);
+    Eigen::MatrixXd derivative(static_cast<Index>(lights.size()), static_cast<Index>(parameters.size()));
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        result.reading.push_back(reading(lights[i], experiment, quantity));
+        derivative.row(static_cast<Index>(i)) = reading_derivatives(lights[i], experiment, quantity, parameters);
+    }
+    std::vector<Index> columns;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const auto column = static_cast<Index>(i);
+        const bool has_effect = !derivative.col(column).isZero(0.0);
+        (has_effect ? result.parameters : result.without_effect).push_back(parameters[i]);
+        if (has_effect) columns.push_back(column);
+    }
+    result.derivative = derivative(Eigen::all, columns);
+    return result;
+}
+
+Eigen::MatrixXd relative_derivative(const Sensitivity& sensitivity) {
+    Eigen::MatrixXd relative = sensitivity.derivative;
+    for (std::size_t i = 0; i < sensitivity.parameters.size(); ++i) {
+        relative.col(static_cast<Index>(i)) *= value_of(sensitivity.configuration.values, sensitivity.parameters[i]);
+    }
+    return relative;
+}
+
+}  // namespace skinfit
