@@ -33,7 +33,7 @@ Configuration fit_configuration(const FitCommand& command) {
 
 int run(const FitCommand& command) {
     const Configuration configuration = fit_configuration(command);
-    check_output(command.shared);
+    check_output(command.shared, {command.file});
     const Spectrum spectrum = read_spectrum(command.file, {.column = configuration.column, .unit = configuration.unit});
     const auto limit = thread_limit(command.shared);
     const FitResult result = fit_spectrum(configuration, spectrum,

@@ -10,7 +10,19 @@
 
 namespace {
 
+/// An empty argument is most often a variable of a script that was never set; none has a meaning here.
+void refuse_empty_arguments(int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        if (*argv[i] != '\0') continue;
+        throw skinfit::InputError({.where = "command line",
+                                   .problem = fmt::format("argument {} is empty", i),
+                                   .why = "no file and no value has an empty name",
+                                   .remedy = "give it, or leave its option out"});
+    }
+}
+
 int run(int argc, char** argv) {
+    refuse_empty_arguments(argc, argv);
     int exit_code = skinfit::trustworthy_result;
     CLI::App app("skinfit estimates skin biology from measured light. Research software, not a medical device.",
                  "skinfit");

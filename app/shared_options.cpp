@@ -75,9 +75,22 @@ void write_output(const SharedOptions& options, const std::string& text) {
     }
 }
 
-void check_output(const SharedOptions& options) {
+/// Throws InputError where writing to `out` would replace `input`.
+static void refuse_replacing(const std::filesystem::path& out, const std::filesystem::path& input) {
+    std::error_code error;
+    if (input.empty() || !std::filesystem::is_regular_file(input, error)) return;
+    if (!std::filesystem::equivalent(out, input, error) || error) return;
+    throw InputError({.where = fmt::format("--out {}", out.string()),
+                      .problem = "is a file that is read",
+                      .why = "the output would replace it",
+                      .remedy = "name another file"});
+}
+
+void check_output(const SharedOptions& options, const std::vector<std::filesystem::path>& inputs) {
     if (options.out.empty()) return;
     std::error_code error;
+    for (const std::filesystem::path& input : inputs) refuse_replacing(options.out, input);
+    refuse_replacing(options.out, options.config);
     const std::filesystem::file_status status = std::filesystem::status(options.out, error);
     const bool is_folder = std::filesystem::is_directory(status);
     // A file is replaced, which takes a writable folder; a pipe or device is written to.

@@ -46,7 +46,8 @@ void write_stdout(const std::string& text);
 /// Writes `text` to --out, or to stdout. Throws InputError where that cannot be done; then nothing is half-written.
 void write_output(const SharedOptions& options, const std::string& text);
 
-/// Throws InputError when --out cannot be written: before the work rather than after it.
-void check_output(const SharedOptions& options);
+/// Throws InputError when --out cannot be written, or is one of the files that are read (`inputs` and --config): before
+/// the work rather than after it.
+void check_output(const SharedOptions& options, const std::vector<std::filesystem::path>& inputs = {});
 
 }  // namespace skinfit

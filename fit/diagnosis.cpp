@@ -34,10 +34,10 @@ void judge_parameters(const FitResult& result, std::vector<std::string>& reasons
                 "is not physiological, or fix the parameter",
                 name, status == Status::at_lower_bound ? "lower" : "upper", fitted.value));
         } else if (status == Status::not_identifiable) {
-            reasons.push_back(
-                fmt::format("NOT IDENTIFIABLE: the spectrum says less about {} than its bounds do; fix it, or measure "
-                            "wavelengths where it absorbs",
-                            name));
+            reasons.push_back(fmt::format(
+                "NOT IDENTIFIABLE: around its fitted value the spectrum says less about {} than its bounds do; fix it, "
+                "and compare fits with it fixed elsewhere",
+                name));
         }
     }
 }

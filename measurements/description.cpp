@@ -38,10 +38,10 @@ Meaning either(const Columns& columns, const Note& note,
 }
 
 double angle(const Columns& columns, const Note& note) {
-    constexpr double grazing_deg = 90;
+    constexpr double most_oblique_deg = 85;  // as far as the model is asked
     const std::optional<double> degrees = parse_number(note.value);
-    if (!degrees || !(*degrees >= 0 && *degrees < grazing_deg)) {
-        refuse(columns, note, "an angle to the normal in degrees, from 0 to below 90");
+    if (!degrees || !(*degrees >= 0 && *degrees <= most_oblique_deg)) {
+        refuse(columns, note, "an angle to the normal in degrees, from 0 to 85");
     }
     return *degrees;
 }

@@ -24,13 +24,12 @@ UnitFinding find_unit(const UnitStatements& statements, std::span<const double> 
     if (header.find('%') != std::string::npos || header.find("percent") != std::string::npos) {
         return stated(Unit::percent, "the header");
     }
-    const double largest = *std::ranges::max_element(values);
-    if (largest > largest_fraction) {
+    const auto exceeding = std::ranges::count_if(values, [](double value) { return value > largest_fraction; });
+    if (2 * static_cast<std::size_t>(exceeding) >= values.size()) {
         return {.unit = Unit::percent,
-                .rule = fmt::format("percent: largest value {:.6g} exceeds {}", largest, largest_fraction)};
+                .rule = fmt::format("percent: half of the values or more exceed {}", largest_fraction)};
     }
-    return {.unit = Unit::fraction,
-            .rule = fmt::format("fraction: largest value {:.6g} is at most {}", largest, largest_fraction)};
+    return {.unit = Unit::fraction, .rule = fmt::format("fraction: most values are at most {}", largest_fraction)};
 }
 
 }  // namespace skinfit

@@ -26,8 +26,8 @@ struct UnitStatements {
     std::string_view header;      ///< percent where it holds `%` or "percent"
 };
 
-/// The unit as stated; where nothing states it, percent when the largest of `values` exceeds `largest_fraction` and
-/// fraction otherwise. `values` must not be empty.
+/// The unit as stated; where nothing states it, percent when half of `values` or more exceed `largest_fraction` and
+/// fraction otherwise, so that one stray value does not rescale a file. `values` must not be empty.
 [[nodiscard]] UnitFinding find_unit(const UnitStatements& statements, std::span<const double> values);
 
 }  // namespace skinfit

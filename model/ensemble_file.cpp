@@ -7,7 +7,6 @@
 #include <xxhash.h>
 
 #include <array>
-#include <cerrno>
 #include <cstring>
 #include <memory>
 #include <optional>
@@ -95,7 +94,7 @@ void write_ensemble_file(const std::filesystem::path& path, std::string_view key
 
 std::variant<PathEnsemble, Unusable> read_ensemble_file(const std::filesystem::path& path, std::string_view key) {
     const std::optional<MappedFile> file = map_file(path);
-    if (!file) return Unusable{std::strerror(errno)};
+    if (!file) return Unusable{"empty or unreadable"};
     const std::string_view bytes(file->data.get(), file->size);
     Header header{};
     if (bytes.size() < sizeof header + sizeof(std::uint64_t)) return Unusable{"truncated"};

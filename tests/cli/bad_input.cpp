@@ -91,7 +91,11 @@ TEST_F(BadInput, KeysAndValues) {
     expect_refused({"fit", "good.csv", "--set", "edition=\xff"}, "--set edition: ");
     expect_refused({"fit", "good.csv", "--free", "melanin"}, "did you mean \"eumelanin_g_per_l\"?");
     expect_refused({"fit", "good.csv", "--fix", "melanin"}, "--fix: ");
-    expect_refused({"fit", "good.csv", "--fix", ""}, "--fix: a name is empty");
+    expect_refused({"fit", "good.csv", "--fix", ""}, "argument 4 is empty");
+    expect_refused({"simulate", "--seed", ""}, "argument 3 is empty");
+    expect_refused({"fit", "good.csv", "--fix", "scale,"}, "--fix: a name is empty");
+    expect_refused({"fit", "good.csv", "--out", "good.csv"}, "is a file that is read");
+    expect_refused({"fit", "good.csv", "--config", "large.json", "--out", "large.json"}, "");
     expect_refused({"fit", "good.csv", "--free", "fibril_radius_nm"}, "cannot be adjusted");
     expect_refused({"fit", "good.csv", "--free", "specular_fraction"}, "has no effect");
     expect_refused({"fit", "good.csv", "--set", "engine=walk"}, "set engine=paths");

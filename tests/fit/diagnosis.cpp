@@ -68,7 +68,7 @@ TEST(Diagnosis, AtEitherBoundNamesTheParameterAndTheBound) {
 TEST(Diagnosis, NotIdentifiable) {
     FitResult result = trustworthy_result();
     melanosomes(result).uncertainty.status = Status::not_identifiable;
-    expect_only(result, "NOT IDENTIFIABLE: the spectrum says less about melanosome_fraction");
+    expect_only(result, "NOT IDENTIFIABLE: around its fitted value the spectrum says less about melanosome_fraction");
 }
 
 TEST(Diagnosis, TooFewRaysAboveHalfTheNoiseSaysHowManyAreNeeded) {

@@ -18,7 +18,7 @@ FitResult all_fixed() {
     FitResult result;
     result.spectrum_name = "Forearm 7";
     result.spectrum_source = "forearm.csv";
-    result.unit_rule = "percent: largest value 61.2 exceeds 1.5";
+    result.unit_rule = "percent: most values exceed 1.5";
     result.sigma_source = "0.006 at every wavelength (default)";
     result.configuration = default_configuration();
     result.configuration.free.fill(false);

@@ -92,8 +92,8 @@ TEST(TextReader, TakesTheUnitFromOptionThenCommentThenHeaderThenTheLargestValue)
     EXPECT_EQ(rule(percent + "nm,R\n400,0.5\n"), "percent: stated by a comment in the file (0.005)");
     EXPECT_EQ(rule("nm,R (%)\n400,0.5\n"), "percent: stated by the header (0.005)");
     EXPECT_EQ(rule("nm,Percent R\n400,0.5\n"), "percent: stated by the header (0.005)");
-    EXPECT_EQ(rule("400,0.25\n500,1.5\n"), "fraction: largest value 1.5 is at most 1.5 (1.5)");
-    EXPECT_EQ(rule("400,1\n500,1.6\n"), "percent: largest value 1.6 exceeds 1.5 (0.016)");
+    EXPECT_EQ(rule("400,0.25\n500,1.5\n"), "fraction: most values are at most 1.5 (1.5)");
+    EXPECT_EQ(rule("400,1\n500,2\n600,1.6\n"), "percent: half of the values or more exceed 1.5 (0.016)");
 }
 
 TEST(TextReader, TakesTheDescriptionFromComments) {
