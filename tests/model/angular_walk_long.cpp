@@ -44,7 +44,8 @@ class HundredMillionRays : public testing::TestWithParam<Edition> {};
 
 TEST_P(HundredMillionRays, HaveTheSolversShares) {
     constexpr double incidence_rad = 0.7;
-    Sample sample{.edition = GetParam()};
+    Sample sample;
+    sample.edition = GetParam();
     const WalkCounts walk =
         random_walk(sample, {wavelength_nm}, {.incidence_rad = incidence_rad, .rays = rays, .seed = 23}).front();
     EXPECT_GT(p_value(walk, solved(sample, incidence_rad)), test::passing_p_value);
