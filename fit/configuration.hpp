@@ -42,6 +42,7 @@ struct Configuration {
     std::optional<Base> base;  ///< unset: hypodermis under four layers, air under two
     std::optional<double> incidence_deg;
     std::optional<Specular> specular;
+    std::optional<double> viewing_cone_deg;  ///< half angle about the normal; unset: the hemisphere is collected
     std::optional<Quantity> quantity;
     std::optional<std::string> column;  ///< of the measured file
     std::optional<Unit> unit;           ///< of the measured file
@@ -57,9 +58,11 @@ struct Configuration {
 };
 
 /// Used where neither the configuration nor the measured file states the geometry: the common d/8 and 8/d
-/// instruments with the specular reflection included.
+/// instruments with the specular reflection included; with a viewing cone the 45/0 instruments, which exclude it.
 inline constexpr double default_incidence_deg = 8.0;
 inline constexpr Specular default_specular = Specular::included;
+inline constexpr double default_incidence_deg_with_cone = 45.0;
+inline constexpr Specular default_specular_with_cone = Specular::excluded;
 inline constexpr Quantity default_quantity = Quantity::reflectance;
 
 /// [KA04, Table 1], five free pigment parameters, 400-700 nm; noise: the median repeat scatter of [COOKSEY17].

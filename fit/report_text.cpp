@@ -110,10 +110,12 @@ std::string model_text(const Configuration& configuration) {
     };
     return fmt::format(
         "model: edition {}, engine {}, {} rays, seed {}; {} layers on base {}\n"
-        "instrument: {}, incidence {} deg, specular {}\n"
+        "instrument: {}, incidence {} deg, specular {}{}\n"
         "skinfit {}, research software, not a medical device\n",
         word("edition"), word("engine"), word("rays"), word("seed"), word("layers"), word("base"), word("quantity"),
-        word("incidence_deg"), word("specular"), version);
+        word("incidence_deg"), word("specular"),
+        configuration.viewing_cone_deg ? fmt::format(", viewing cone {:g} deg", *configuration.viewing_cone_deg) : "",
+        version);
 }
 
 }  // namespace
