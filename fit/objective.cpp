@@ -47,6 +47,15 @@ Eigen::VectorXd Objective::residuals(const Eigen::VectorXd& reading) const {
     return residuals;
 }
 
+Misfit Objective::misfit(std::span<const double> values) const {
+    const Modelled modelled = model(values);
+    Misfit misfit{.residual = residuals(modelled.reading), .jacobian = modelled.jacobian};
+    for (Row row = 0; row < misfit.jacobian.rows(); ++row) {
+        misfit.jacobian.row(row) /= problem_->sigma[static_cast<std::size_t>(row)];
+    }
+    return misfit;
+}
+
 double Objective::chi2(std::span<const double> values) const {
     return residuals(model(values).reading).squaredNorm();
 }

@@ -9,6 +9,12 @@
 
 namespace skinfit {
 
+/// A sum of squares with its derivatives: its squared norm is -2 log of the posterior density, up to a constant.
+struct Misfit {
+    Eigen::VectorXd residual;  ///< of the data, in sigmas of noise, followed by those of the priors
+    Eigen::MatrixXd jacobian;  ///< of `residual` by the free parameters, each per unit of the parameter
+};
+
 /// The misfit of one problem as a function of its free parameters, smooth and with exact derivatives.
 class Objective {
 public:
@@ -29,6 +35,9 @@ public:
 
     /// (modelled - measured) / sigma of a reading.
     [[nodiscard]] Eigen::VectorXd residuals(const Eigen::VectorXd& reading) const;
+
+    /// All residuals and their derivatives at values of the free parameters.
+    [[nodiscard]] Misfit misfit(std::span<const double> values) const;
 
     /// The sum of squared residuals at values of the free parameters.
     [[nodiscard]] double chi2(std::span<const double> values) const;
