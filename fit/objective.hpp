@@ -9,10 +9,11 @@
 
 namespace skinfit {
 
-/// A sum of squares with its derivatives: its squared norm is -2 log of the posterior density, up to a constant.
+/// What is to be minimised, as a least-squares problem: cost = residual.squaredNorm(), which is -2 log of the posterior
+/// density up to a constant.
 struct Misfit {
-    Eigen::VectorXd residual;  ///< of the data, in sigmas of noise, followed by those of the priors
-    Eigen::MatrixXd jacobian;  ///< of `residual` by the free parameters, each per unit of the parameter
+    Eigen::VectorXd residual;  ///< of the data, whitened, then of the priors
+    Eigen::MatrixXd jacobian;  ///< residuals x free parameters
 };
 
 /// The misfit of one problem as a function of its free parameters, smooth and with exact derivatives.
@@ -33,11 +34,12 @@ public:
     };
     [[nodiscard]] Modelled model(std::span<const double> values) const;
 
+    /// All residuals at values of the free parameters, and their derivatives. Whatever minimises or estimates
+    /// uncertainty uses this.
+    [[nodiscard]] Misfit misfit(std::span<const double> values) const;
+
     /// (modelled - measured) / sigma of a reading.
     [[nodiscard]] Eigen::VectorXd residuals(const Eigen::VectorXd& reading) const;
-
-    /// All residuals and their derivatives at values of the free parameters.
-    [[nodiscard]] Misfit misfit(std::span<const double> values) const;
 
     /// The sum of squared residuals at values of the free parameters.
     [[nodiscard]] double chi2(std::span<const double> values) const;
