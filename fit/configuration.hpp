@@ -26,6 +26,13 @@ enum class Solver {
     bobyqa,  ///< derivative-free, NLopt
 };
 
+/// Where the intervals of a fit come from.
+enum class UncertaintyMethod {
+    covariance,  ///< the model linearised at the minimum
+    profile,     ///< profile likelihood, right at bounds
+    posterior,   ///< Markov chain Monte Carlo
+};
+
 /// Limits of a free parameter.
 struct Bounds {
     double lower;
@@ -38,6 +45,7 @@ struct Configuration {
     Edition edition = Edition::revised;
     Engine engine = Engine::paths;
     Solver solver = Solver::ceres;
+    UncertaintyMethod uncertainty = UncertaintyMethod::covariance;
     int layers = 4;
     std::optional<Base> base;  ///< unset: hypodermis under four layers, air under two
     std::optional<double> incidence_deg;

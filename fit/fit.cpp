@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fit/diagnosis.hpp"
+#include "fit/inference.hpp"
 #include "fit/objective.hpp"
 #include "fit/problem.hpp"
 
@@ -88,8 +89,10 @@ FitResult fit_spectrum(const Configuration& configuration, const Spectrum& spect
     const FitProblem problem = make_problem(complete, spectrum);
     const ForwardModel model = make_model(problem, complete.engine, options.cache);
     const Objective objective(problem, model);
-    const Minimum minimum = minimise(objective, complete.solver, approach(problem, model, complete.solver));
-    const Uncertainty uncertainty = estimate_uncertainty(objective, minimum);
+    const Inference inference =
+        infer(objective, minimise(objective, complete.solver, approach(problem, model, complete.solver)),
+              complete.uncertainty, complete.seed);
+    const Minimum& minimum = inference.minimum;
     const Objective::Modelled modelled = objective.model(minimum.values);
 
     FitResult result;
@@ -107,9 +110,15 @@ FitResult fit_spectrum(const Configuration& configuration, const Spectrum& spect
     result.p_value = chi2_p_value(result.chi2, result.degrees_of_freedom);
     result.median_sigma = median(problem.sigma);
     result.monte_carlo_error = median({modelled.standard_error.begin(), modelled.standard_error.end()});
-    result.parameters = fitted_parameters(problem, minimum, uncertainty, complete);
+    result.parameters = fitted_parameters(problem, minimum, inference.uncertainty, complete);
     result.free = free_parameters(complete);
-    result.correlation = uncertainty.correlation;
+    result.correlation = inference.uncertainty.correlation;
+    result.identifiability = inference.identifiability;
+    result.profile = inference.profile;
+    result.posterior = inference.posterior;
+    if (result.degrees_of_freedom > 0) {
+        result.inflation = std::sqrt(result.chi2 / static_cast<double>(result.degrees_of_freedom));
+    }
     result.answer = {.solver = complete.solver, .minimum = minimum};
     if (options.cross_check) {
         const Solver other = complete.solver == Solver::ceres ? Solver::bobyqa : Solver::ceres;

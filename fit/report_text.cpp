@@ -26,18 +26,32 @@ std::string monte_carlo_words(double error) {
     return error > 0.0 ? rounded(error, error) : "none";
 }
 
+/// One-sided where the minimum lies at a bound.
+std::string interval_words(const ParameterUncertainty& uncertainty, double grain) {
+    const std::string lower = rounded(uncertainty.interval_95.lower, grain);
+    const std::string upper = rounded(uncertainty.interval_95.upper, grain);
+    switch (uncertainty.status) {
+        case Status::at_lower_bound:
+            return "at most " + upper;
+        case Status::at_upper_bound:
+            return "at least " + lower;
+        default:
+            return lower + " to " + upper;
+    }
+}
+
 std::string parameter_row(const FittedParameter& fitted) {
     const ParameterInfo& row = info(fitted.parameter);
     const ParameterUncertainty& uncertainty = fitted.uncertainty;
     const double width = fitted.bounds.upper - fitted.bounds.lower;
     const double grain = uncertainty.sigma.value_or(width / 1000);
-    const std::string interval = fmt::format("{} to {}", rounded(uncertainty.interval_95.lower, grain),
-                                             rounded(uncertainty.interval_95.upper, grain));
+    const std::string interval = interval_words(uncertainty, grain);
     switch (uncertainty.status) {
         case Status::free:
             return fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}\n", row.name, rounded(fitted.value, grain),
-                               rounded(*uncertainty.sigma, grain), monte_carlo_words(*uncertainty.monte_carlo_sigma),
-                               interval, unit_in_words(row));
+                               uncertainty.sigma ? rounded(*uncertainty.sigma, grain) : "-",
+                               uncertainty.sigma ? monte_carlo_words(*uncertainty.monte_carlo_sigma) : "-", interval,
+                               unit_in_words(row));
         case Status::not_identifiable:
             return fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}  NOT IDENTIFIABLE\n", row.name, "-", "-", "-",
                                interval, unit_in_words(row));
@@ -158,7 +172,7 @@ std::string text_report(const FitResult& result) {
                         monte_carlo_words(result.monte_carlo_error));
     text += fmt::format("wavelengths: {} from {:g} to {:g} nm; values read as {}\n", result.wavelength_nm.size(),
                         result.wavelength_nm.front(), result.wavelength_nm.back(), result.unit_rule);
-    return text + correlation_text(result) + cross_check_text(result) + fixed_text(result) +
+    return text + correlation_text(result) + uncertainty_text(result) + cross_check_text(result) + fixed_text(result) +
            model_text(result.configuration);
 }
 

@@ -16,6 +16,7 @@ namespace {
 constexpr std::array<std::string_view, 2> edition_names = {"printed", "revised"};
 constexpr std::array<std::string_view, 3> engine_names = {"paths", "walk", "solver"};
 constexpr std::array<std::string_view, 2> solver_names = {"ceres", "bobyqa"};
+constexpr std::array<std::string_view, 3> uncertainty_names = {"covariance", "profile", "posterior"};
 constexpr std::array<std::string_view, 2> unit_names = {"fraction", "percent"};
 
 [[noreturn]] void refuse(const std::string& where, const Json& value, const std::string& why,
@@ -219,6 +220,9 @@ std::span<const Setting> setting_table() {
         named("engine", "paths: recorded walks, smooth; walk: the analog walk, simulation only; solver: without noise",
               engine_names, &Configuration::engine),
         named("solver", "what minimises the misfit of a fit", solver_names, &Configuration::solver),
+        named("uncertainty",
+              "what the intervals of a fit come from; profile is right at bounds, posterior takes longest",
+              uncertainty_names, &Configuration::uncertainty),
         layers(),
         base(),
         number("incidence_deg",
