@@ -35,14 +35,12 @@ struct Span {
     double high;
 };
 
-Span span_of(const SheetRow& row, std::vector<double> SheetLine::*coordinate) {
-    const double first = (row.panels.front().lines.front().*coordinate).front();
+Span values_of(const SheetRow& row) {
+    const double first = row.panels.front().lines.front().y.front();
     Span span{.low = first, .high = first};
     for (const SheetPanel& panel : row.panels) {
         for (const SheetLine& line : panel.lines) {
-            for (const double value : line.*coordinate) {
-                span = {.low = std::min(span.low, value), .high = std::max(span.high, value)};
-            }
+            for (const double y : line.y) span = {.low = std::min(span.low, y), .high = std::max(span.high, y)};
         }
     }
     return span;
@@ -108,7 +106,7 @@ std::string lines_script(const SheetPanel& panel, const std::string& data_name) 
     for (std::size_t i = 0; i < panel.lines.size(); ++i) {
         const bool is_reference = panel.lines[i].style == LineStyle::reference;
         const std::string look = is_reference
-                                     ? "linewidth 2 dashtype 2 linecolor rgb '#000000'"
+                                     ? "linewidth 2 dashtype (8,5) linecolor rgb '#000000'"
                                      : fmt::format("linewidth 2 dashtype 1 linecolor rgb '{}'", colours.at(coloured++));
         script += fmt::format("{}${}_{} with lines {} title {}", i == 0 ? "" : ", ", data_name, i, look,
                               gnuplot_string(panel.lines[i].label));
@@ -141,7 +139,7 @@ std::string panel_script(const PlotSheet& sheet, std::size_t row_number, std::si
         script += fmt::format("set ylabel {}\nset format y '%g'\n", gnuplot_string(row.y_label));
         const double legend_left = frame.left + static_cast<double>(row.panels.size()) * (panel_width + panel_gap) /
                                                     static_cast<double>(size.width);
-        script += fmt::format("set key at screen {},screen {} left top Left reverse samplen 2 spacing 1.2\n",
+        script += fmt::format("set key at screen {},screen {} left top Left reverse samplen 3 spacing 1.2\n",
                               legend_left, frame.top);
     } else {
         script += "unset ylabel\nset format y ''\n";
@@ -163,10 +161,9 @@ std::string script_of(const PlotSheet& sheet, const std::filesystem::path& path)
     for (std::size_t number = 0; number < sheet.rows.size(); ++number) {
         const SheetRow& row = sheet.rows[number];
         assert(row.panels.size() == sheet.rows.front().panels.size());
-        const Span x = span_of(row, &SheetLine::x);
-        const Span y = axis_of(span_of(row, &SheetLine::y));
-        script += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\nset xlabel {}\n", x.low, x.high, y.low, y.high,
-                              gnuplot_string(row.x_label));
+        const Span y = axis_of(values_of(row));
+        script += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\nset xlabel {}\n", row.x_low, row.x_high, y.low,
+                              y.high, gnuplot_string(row.x_label));
         for (std::size_t column = 0; column < row.panels.size(); ++column) {
             script += panel_script(sheet, number, column, size);
         }

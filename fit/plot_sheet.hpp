@@ -38,6 +38,8 @@ struct SheetPanel {
 struct SheetRow {
     std::string x_label;  ///< with unit
     std::string y_label;  ///< with unit
+    double x_low;         ///< where the axis begins
+    double x_high;        ///< where the axis ends, above `x_low`
     std::vector<SheetPanel> panels;
 };
 

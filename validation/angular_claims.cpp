@@ -9,11 +9,46 @@
 #include <string>
 
 namespace skinfit {
+namespace {
+
+/// How far light is from that of a Lambertian, relative to it.
+struct Departure {
+    double relative = 0.0;
+    double standard_error = 0.0;
+    std::string where;
+};
+
+Departure worse(const Departure& a, const Departure& b) {
+    return std::abs(b.relative) > std::abs(a.relative) || a.where.empty() ? b : a;
+}
+
+/// The steps of a curve that end within `cone_deg` of the normal, one at least.
+std::size_t steps_within(const AngularCurve& curve, double cone_deg) {
+    return std::max<std::size_t>(1, static_cast<std::size_t>(cone_deg / 90.0 * static_cast<double>(curve.ring.size())));
+}
+
+/// Of the first `count` of `steps`, taken `part` at a time.
+Departure worst_of(std::span<const BrdfValue> steps, std::size_t count, std::size_t part, double mean,
+                   const std::string& name) {
+    const double step_deg = 90.0 / static_cast<double>(steps.size());
+    Departure worst;
+    for (std::size_t first = 0; first < count; first += part) {
+        const std::size_t last = std::min(first + part, count);
+        const BrdfValue value = mean_brdf(steps, first, last);
+        worst = worse(worst, {.relative = value.per_sr / mean - 1.0,
+                              .standard_error = value.standard_error / mean,
+                              .where = fmt::format("{} {} to {} degrees", name, step_deg * static_cast<double>(first),
+                                                   step_deg * static_cast<double>(last))});
+    }
+    return worst;
+}
+
+}  // namespace
 
 Ratio directionality(const AngularCurve& curve) {
     const auto steps = static_cast<double>(curve.ring.size());
     const auto mirror = static_cast<std::size_t>(curve.incidence_deg / 90.0 * steps);
-    const double mean = curve.mean(0, curve.ring.size());
+    const double mean = mean_brdf(curve.ring, 0, curve.ring.size()).per_sr;
     // The error of the mean over all rays is far below that of one step.
     return {.value = curve.forward.at(mirror).per_sr / mean,
             .standard_error = curve.forward.at(mirror).standard_error / mean};
@@ -38,28 +73,21 @@ Finding more_directional_in_order(std::span<const AngularCurve> curves) {
 
 Finding near_lambertian(std::span<const AngularCurve> curves) {
     assert(!curves.empty());
-    constexpr double cone_deg = 60.0;
     constexpr double largest_departure = 0.1;
-    double departure = -1.0;
-    double error = 0.0;
-    std::string where;
+    Departure worst;
     for (const AngularCurve& curve : curves) {
-        const auto rings = static_cast<std::size_t>(cone_deg / 90.0 * static_cast<double>(curve.ring.size()));
-        const double mean = curve.mean(0, rings);
-        for (std::size_t i = 0; i < rings; ++i) {
-            const double relative = curve.ring[i].per_sr / mean - 1.0;
-            if (std::abs(relative) <= departure) continue;
-            departure = std::abs(relative);
-            error = curve.ring[i].standard_error / mean;
-            where = fmt::format("{:+.1f} % for {} at {} to {} degrees", 100.0 * relative, curve.name, curve.edge_deg(i),
-                                curve.edge_deg(i + 1));
-        }
+        const std::size_t rings = steps_within(curve, 60.0);
+        const double mean = mean_brdf(curve.ring, 0, rings).per_sr;
+        worst = worse(worst, worst_of(curve.ring, rings, 1, mean, curve.name + ", ring"));
+        const std::size_t part = steps_within(curve, 20.0);
+        worst = worse(worst, worst_of(curve.forward, rings, part, mean, curve.name + ", forward"));
+        worst = worse(worst, worst_of(curve.backward, rings, part, mean, curve.name + ", backward"));
     }
-    return {.verdict = verdict_of(departure <= largest_departure),
-            .number = departure,
-            .measure =
-                fmt::format("largest departure from Lambertian within {} degrees, <= {}", cone_deg, largest_departure),
-            .why = fmt::format("the worst is {}, standard error {:.1f} %", where, 100.0 * error)};
+    return {.verdict = verdict_of(std::abs(worst.relative) <= largest_departure),
+            .number = std::abs(worst.relative),
+            .measure = fmt::format("largest departure from Lambertian within 60 degrees, <= {}", largest_departure),
+            .why = fmt::format("the worst is {:+.1f} % at {}, standard error {:.1f} %", 100.0 * worst.relative,
+                               worst.where, 100.0 * worst.standard_error)};
 }
 
 }  // namespace skinfit

@@ -24,9 +24,10 @@ struct Ratio {
 /// The directionality grows from every curve, two at least, to the next, by `decisive_z` standard errors or more.
 [[nodiscard]] Finding more_directional_in_order(std::span<const AngularCurve> curves);
 
-/// The largest relative departure of a ring of every curve, one at least, from their mean, both up to 60 degrees from
-/// the normal, is no more than 10 %. Beyond lies a quarter of a Lambertian's light. The limit is a convention: about
-/// what practical diffusers, which are called Lambertian, depart within that cone.
+/// Up to 60 degrees from the normal, every curve, one at least, departs from its mean by no more than 10 %: its rings
+/// one by one, and its plane of incidence in parts of about 20 degrees, forward and backward. Beyond lies a quarter of
+/// a Lambertian's light. The limit is a convention: about what practical diffusers, which are called Lambertian,
+/// depart.
 [[nodiscard]] Finding near_lambertian(std::span<const AngularCurve> curves);
 
 }  // namespace skinfit

@@ -21,17 +21,20 @@ double AngularCurve::edge_deg(std::size_t i) const {
     return 90.0 * static_cast<double>(i) / static_cast<double>(ring.size());
 }
 
-double AngularCurve::mean(std::size_t first, std::size_t last) const {
-    assert(first < last && last <= ring.size());
+BrdfValue mean_brdf(std::span<const BrdfValue> steps, std::size_t first, std::size_t last) {
+    assert(first < last && last <= steps.size());
+    const double step_rad = 0.5 * pi / static_cast<double>(steps.size());
     double light = 0.0;
+    double variance = 0.0;
     double whole = 0.0;
     for (std::size_t i = first; i < last; ++i) {
-        const double solid_angle =
-            std::pow(std::sin(edge_deg(i + 1) * rad_per_deg), 2) - std::pow(std::sin(edge_deg(i) * rad_per_deg), 2);
-        light += solid_angle * ring[i].per_sr;
+        const double solid_angle = std::pow(std::sin(step_rad * static_cast<double>(i + 1)), 2) -
+                                   std::pow(std::sin(step_rad * static_cast<double>(i)), 2);
+        light += solid_angle * steps[i].per_sr;
+        variance += std::pow(solid_angle * steps[i].standard_error, 2);
         whole += solid_angle;
     }
-    return light / whole;
+    return {.per_sr = light / whole, .standard_error = std::sqrt(variance) / whole};
 }
 
 }  // namespace skinfit

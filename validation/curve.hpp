@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,10 @@ struct AngularCurve {
 
     /// The angle to the normal at which step `i` begins, 0 to `ring.size()`.
     [[nodiscard]] double edge_deg(std::size_t i) const;
-    /// The mean over the steps `first` to before `last`, weighted by projected solid angle; 1/sr.
-    [[nodiscard]] double mean(std::size_t first, std::size_t last) const;
 };
+
+/// The mean of `steps`, equal ones from the normal to the horizon, from `first` to before `last`, weighted by projected
+/// solid angle; their errors are independent.
+[[nodiscard]] BrdfValue mean_brdf(std::span<const BrdfValue> steps, std::size_t first, std::size_t last);
 
 }  // namespace skinfit

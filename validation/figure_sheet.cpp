@@ -74,12 +74,6 @@ SheetPanel sheet_panel(const FigurePanel& panel, const VariantResult& result, co
     return drawn;
 }
 
-std::string x_label(const Figure& figure, const FigurePanel& panel) {
-    if (figure.kind == FigureKind::spectrum) return "wavelength (nm)";
-    return panel.light == FigureLight::transmitted ? "angle to the normal below (degrees)"
-                                                   : "angle to the normal, forward > 0 (degrees)";
-}
-
 std::string y_label(const Figure& figure, const FigurePanel& panel) {
     if (figure.kind == FigureKind::spectrum) return fmt::format("{} (fraction)", quantity_name(panel));
     switch (panel.light) {
@@ -92,13 +86,33 @@ std::string y_label(const Figure& figure, const FigurePanel& panel) {
     }
 }
 
+/// A row without panels.
+SheetRow axes(const Figure& figure, const FigurePanel& panel) {
+    SheetRow row{
+        .x_label = "wavelength (nm)", .y_label = y_label(figure, panel), .x_low = 0, .x_high = 0, .panels = {}};
+    if (figure.kind == FigureKind::spectrum) {
+        const std::vector<double> wavelengths_nm =
+            parse_wavelengths(panel.series.front().configuration.wavelengths, "wavelengths");
+        row.x_low = wavelengths_nm.front();
+        row.x_high = wavelengths_nm.back();
+    } else if (panel.light == FigureLight::transmitted) {
+        row.x_label = "angle to the normal below (degrees)";
+        row.x_high = 90.0;
+    } else {
+        row.x_label = "angle to the normal, forward > 0 (degrees)";
+        row.x_low = -90.0;
+        row.x_high = 90.0;
+    }
+    return row;
+}
+
 }  // namespace
 
 PlotSheet figure_sheet(const FigureResult& result) {
     PlotSheet sheet{.title = result.figure.title, .rows = {}};
     for (std::size_t p = 0; p < result.panels.size(); ++p) {
         const FigurePanel& panel = result.figure.panels[p];
-        SheetRow row{.x_label = x_label(result.figure, panel), .y_label = y_label(result.figure, panel), .panels = {}};
+        SheetRow row = axes(result.figure, panel);
         for (const VariantResult& variant : result.panels[p].variants) {
             row.panels.push_back(sheet_panel(panel, variant, result.panels[p].measured));
         }

@@ -97,8 +97,8 @@ Finding darker_in_order(std::span<const SpectralCurve> curves) {
     }
     std::string why = fmt::format("the least drop is {}", where);
     if (undecided > 0) {
-        why += fmt::format("; {} of {} drops are within the solver's error of {}, where next to no light is left",
-                           undecided, count, 2.0 * solver_accuracy);
+        why += fmt::format("; {} of {} drops are within the solver's error of {}", undecided, count,
+                           2.0 * solver_accuracy);
     }
     return {.verdict = verdict_of(smallest > 0.0 && largest > 2.0 * solver_accuracy),
             .number = smallest,

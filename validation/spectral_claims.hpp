@@ -13,7 +13,7 @@ namespace skinfit {
 inline constexpr double solver_accuracy = 1e-4;
 
 /// Every curve, two at least, is below the one before it at every wavelength, and somewhere by more than two errors of
-/// the solver. Where less light is left than the solver can tell apart, the reason says so.
+/// the solver. The reason counts the differences that are within these errors.
 [[nodiscard]] Finding darker_in_order(std::span<const SpectralCurve> curves);
 
 /// How far the curve at 560 nm rises above the chord between 542 and 577 nm, the two bands of oxyhaemoglobin: the depth

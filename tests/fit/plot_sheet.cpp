@@ -34,7 +34,7 @@ PlotSheet example() {
         .lines = {{.label = "model_1", .x = {1, 2, 3}, .y = {1, 2, 0.5}},
                   {.label = "measured", .x = {1, 3}, .y = {2, 2}, .style = LineStyle::reference}},
         .swatches = {{.colour = "#804020", .label = "dark"}, {.colour = "#f0e0d0", .label = "light"}}};
-    const SheetRow row{.x_label = "x (nm)", .y_label = "y (1)", .panels = {panel, panel}};
+    const SheetRow row{.x_label = "x (nm)", .y_label = "y (1)", .x_low = 1, .x_high = 3, .panels = {panel, panel}};
     return {.title = "a sheet's `title`", .rows = {row, row}};
 }
 

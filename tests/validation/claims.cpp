@@ -171,10 +171,11 @@ AngularCurve lambertian_but(double mirror_factor) {
     return curve;
 }
 
-TEST(AngularCurve, MeansAreWeightedByProjectedSolidAngle) {
-    AngularCurve curve = lobe_of(0.0, [](double polar_deg) { return polar_deg < 30.0 ? 1.0 : 0.0; });
-    EXPECT_NEAR(curve.mean(0, 18), 0.25, 1e-14);  // sin^2 of 30 degrees
-    EXPECT_NEAR(curve.mean(0, 6), 1.0, 1e-14);
+TEST(MeanBrdf, IsWeightedByProjectedSolidAngle) {
+    const AngularCurve curve = lobe_of(0.0, [](double polar_deg) { return polar_deg < 30.0 ? 1.0 : 0.0; });
+    EXPECT_NEAR(mean_brdf(curve.ring, 0, 18).per_sr, 0.25, 1e-14);  // sin^2 of 30 degrees
+    EXPECT_NEAR(mean_brdf(curve.ring, 0, 6).per_sr, 1.0, 1e-14);
+    EXPECT_NEAR(mean_brdf(curve.ring, 3, 4).standard_error, 0.01, 1e-15);
 }
 
 TEST(MoreDirectional, NeedsAGrowthBeyondTheNoise) {
@@ -183,6 +184,15 @@ TEST(MoreDirectional, NeedsAGrowthBeyondTheNoise) {
     EXPECT_EQ(more_directional_in_order(std::vector{lambertian_but(1.0), lambertian_but(1.05)}).verdict,
               not_reproduced);
     EXPECT_EQ(more_directional_in_order(std::vector{lambertian_but(2.0), lambertian_but(1.0)}).verdict, not_reproduced);
+}
+
+TEST(NearLambertian, SeesALobeThatTheMeanOverAzimuthHides) {
+    AngularCurve curve = lobe_of(45.0, [](double) { return 0.1; });
+    for (BrdfValue& value : curve.backward) value.per_sr *= 1.2;
+    const Finding finding = near_lambertian(std::vector{curve});
+    EXPECT_EQ(finding.verdict, not_reproduced);
+    EXPECT_NEAR(finding.number, 0.2, 1e-14);
+    EXPECT_NE(finding.why.find("backward"), std::string::npos) << finding.why;
 }
 
 TEST(NearLambertian, LooksAtTheConeOfSixtyDegrees) {
