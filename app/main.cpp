@@ -32,6 +32,7 @@ int run(int argc, char** argv) {
     skinfit::add_simulate_command(app, exit_code);
     skinfit::add_sensitivity_command(app, exit_code);
     skinfit::add_gonio_command(app, exit_code);
+    skinfit::add_validate_command(app, exit_code);
     skinfit::add_config_command(app, exit_code);
     try {
         app.parse(argc, argv);

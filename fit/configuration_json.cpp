@@ -8,38 +8,10 @@
 
 #include "core/input_error.hpp"
 #include "core/text.hpp"
+#include "fit/json_reading.hpp"
 
 namespace skinfit {
 namespace {
-
-/// The known key that `key` probably means: one of which it is a part, else the one the fewest edits away.
-std::string_view closest(std::string_view key, const std::vector<std::string_view>& known) {
-    const auto longer =
-        std::ranges::find_if(known, [key](std::string_view name) { return name.find(key) != std::string_view::npos; });
-    return longer != known.end() ? *longer : nearest_name(key, known);
-}
-
-[[noreturn]] void refuse_unknown(const std::string& where, std::string_view key,
-                                 const std::vector<std::string_view>& known) {
-    if (key.empty()) {
-        throw InputError({.where = where,
-                          .problem = "a name is empty",
-                          .why = "it says nothing",
-                          .remedy = fmt::format("give names such as \"{}\"", known.front())});
-    }
-    throw InputError({.where = where,
-                      .problem = fmt::format("unknown name {}", shown(std::string(key))),
-                      .why = "it would have no effect",
-                      .remedy = fmt::format("did you mean \"{}\"?", closest(key, known))});
-}
-
-void require_object(const Json& json, const std::string& where) {
-    if (json.is_object()) return;
-    throw InputError({.where = where,
-                      .problem = fmt::format("{} is no object", shown(json)),
-                      .why = "keys and values are needed here",
-                      .remedy = "see `skinfit config show` for the form"});
-}
 
 std::vector<std::string_view> parameter_names() {
     std::vector<std::string_view> names;
@@ -87,7 +59,7 @@ void read_parameter(Configuration& configuration, const ParameterInfo& info, con
 }
 
 void read_parameters(Configuration& configuration, const Json& json, const std::string& where) {
-    require_object(json, where);
+    require_object(json, where, "see `skinfit config show` for the form");
     for (const auto& [key, value] : json.items()) {
         const std::optional<Parameter> parameter = find_parameter(key);
         if (!parameter) refuse_unknown(where, key, parameter_names());
@@ -117,27 +89,6 @@ Json scalar(std::string_view text) {
     return std::string(text);
 }
 
-Json parsed(std::string_view text, const std::string& where) {
-    try {
-        return Json::parse(text, nullptr, true, true);
-    } catch (const Json::parse_error& error) {
-        const auto line = 1 + std::ranges::count(text.substr(0, std::max<std::size_t>(error.byte, 1) - 1), '\n');
-        // "[...] parse error at ...: syntax error while parsing ... - what was found; what was expected"
-        const std::string words = error.what();
-        const std::size_t found = words.rfind(" - ");
-        const std::string why = found == std::string::npos ? words : words.substr(found + 3);
-        throw InputError({.where = fmt::format("{}:{}", where, line),
-                          .problem = "is no JSON",
-                          .why = why.substr(0, why.find(';')),
-                          .remedy = "correct this line; `skinfit config show` prints an example"});
-    } catch (const Json::exception&) {
-        throw InputError({.where = where,
-                          .problem = "holds a number that is too large",
-                          .why = "it exceeds double precision",
-                          .remedy = "correct it; `skinfit config show` prints an example"});
-    }
-}
-
 }  // namespace
 
 Configuration with_freedom(Configuration configuration, std::string_view names, bool free, const std::string& where) {
@@ -150,7 +101,7 @@ Configuration with_freedom(Configuration configuration, std::string_view names, 
 }
 
 Configuration configured(Configuration configuration, const Json& json, const std::string& where) {
-    require_object(json, where);
+    require_object(json, where, "see `skinfit config show` for the form");
     if (json.contains("configuration")) {
         return configured(std::move(configuration), json["configuration"], where + ": configuration");
     }
@@ -173,7 +124,7 @@ Configuration configured(Configuration configuration, const Json& json, const st
 }
 
 Configuration configured_by_text(const Configuration& configuration, std::string_view text, const std::string& where) {
-    return configured(configuration, parsed(text, where), where);
+    return configured(configuration, parsed_json(text, where, "`skinfit config show` prints an example"), where);
 }
 
 Configuration configured_by_word(Configuration configuration, std::string_view key, std::string_view text,

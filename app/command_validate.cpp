@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include "app/commands.hpp"
+#include "app/shared_options.hpp"
+#include "core/file.hpp"
+#include "core/input_error.hpp"
+#include "core/text.hpp"
+#include "fit/configuration_json.hpp"
+#include "validation/figure_output.hpp"
+#include "validation/shipped.hpp"
+
+namespace skinfit {
+namespace {
+
+struct ValidateCommand {
+    std::filesystem::path output = "forward_validation";
+    std::filesystem::path shared = "../shared";
+    std::string figures;
+    std::string format = "text";
+    std::string rays;
+    std::string seed;
+    int threads = 0;
+};
+
+/// The figures named in "3,5"; all of them where nothing is named.
+std::vector<Figure> chosen_figures(const std::string& names) {
+    std::vector<Figure> figures = shipped_figures();
+    if (names.empty()) return figures;
+    std::vector<Figure> chosen;
+    for (const std::string_view name : split(names, ',')) {
+        const auto found =
+            std::ranges::find_if(figures, [&](const Figure& each) { return std::to_string(each.number) == name; });
+        if (found == figures.end()) {
+            throw InputError(
+                {.where = fmt::format("--figures {}", names),
+                 .problem = fmt::format("no figure \"{}\"", name),
+                 .why = fmt::format("there are figures {} to {}", figures.front().number, figures.back().number),
+                 .remedy = "give numbers as in --figures 3,5"});
+        }
+        chosen.push_back(*found);
+    }
+    return chosen;
+}
+
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!error && std::filesystem::is_directory(folder) && ::access(folder.c_str(), W_OK) == 0) return;
+    throw InputError({.where = fmt::format("--output {}", folder.string()),
+                      .problem = "no folder that can be written",
+                      .why = error ? error.message() : "it is a file or not ours to write",
+                      .remedy = "name another folder"});
+}
+
+FigureOptions options_of(const ValidateCommand& command) {
+    FigureOptions options{.rays = {}, .seed = {}, .shared_folder = command.shared};
+    const auto read = [](const char* key, const std::string& text) {
+        return configured_by_word(default_configuration(), key, text, std::string("--") + key);
+    };
+    if (!command.rays.empty()) options.rays = read("rays", command.rays).rays;
+    if (!command.seed.empty()) options.seed = read("seed", command.seed).seed;
+    return options;
+}
+
+void write_figure(const FigureResult& result, const std::filesystem::path& folder) {
+    const std::string name = fmt::format("figure_{}", result.figure.number);
+    write_file_atomically(folder / (name + ".csv"), figure_csv(result));
+    const PlotSheet sheet = figure_sheet(result);
+    draw(sheet, folder / (name + ".svg"));
+    draw(sheet, folder / (name + ".png"));
+}
+
+int run(const ValidateCommand& command) {
+    const std::vector<Figure> figures = chosen_figures(command.figures);
+    const FigureOptions options = options_of(command);
+    make_folder(command.output);
+    SharedOptions shared;
+    shared.threads = command.threads;
+    const auto limit = thread_limit(shared);
+    std::vector<FigureResult> results;
+    for (const Figure& figure : figures) {
+        if (::isatty(STDERR_FILENO) != 0) fmt::print(stderr, "{} ...\n", figure.title);
+        results.push_back(run_figure(figure, options));
+        for (const std::string& message : results.back().messages) fmt::print(stderr, "note: {}\n", message);
+        write_figure(results.back(), command.output);
+    }
+    const std::string json = json_text(summary_json(results));
+    write_file_atomically(command.output / "summary.json", json);
+    write_stdout(command.format == "json" ? json : summary_text(results));
+    return trustworthy_result;
+}
+
+}  // namespace
+
+void add_validate_command(CLI::App& app, int& exit_code) {
+    const auto command = std::make_shared<ValidateCommand>();
+    CLI::App* const validate = app.add_subcommand("validate", "hold the model against what has been published");
+    validate->require_subcommand(1);
+    CLI::App* const forward = validate->add_subcommand("forward", "the figures of the model's paper, and their claims");
+    forward->add_option("--output", command->output, "folder for a table and two pictures per figure, and summary.json")
+        ->type_name("FOLDER")
+        ->capture_default_str();
+    forward->add_option("--figures", command->figures, "only these, as in 3,5")->type_name("N,N");
+    forward->add_option("--shared", command->shared, "folder of measurements that are not shipped")
+        ->type_name("FOLDER")
+        ->capture_default_str();
+    forward->add_option("--format", command->format, "form of the summary on the terminal")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->capture_default_str();
+    forward->add_option("--rays", command->rays, "per wavelength of the goniophotometer, instead of the figure's own");
+    forward->add_option("--seed", command->seed, "of the goniophotometer's random numbers");
+    forward->add_option("--threads", command->threads, "at most so many; the result does not depend on it")
+        ->check(CLI::Range(1, 1024));
+    forward->footer("Exit code 0: done, whatever the verdicts; 2: bad input; 3: internal error.");
+    forward->callback([command, &exit_code] { exit_code = run(*command); });
+}
+
+}  // namespace skinfit

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Parts of gnuplot scripts, and gnuplot itself.
+namespace skinfit {
+
+/// Of a picture, in pixels of its .png and .svg.
+struct PictureSize {
+    int width;
+    int height;
+};
+
+/// The line that chooses what gnuplot writes by the suffix of `path`, .svg, .png or .pdf. Throws InputError for
+/// another.
+[[nodiscard]] std::string gnuplot_terminal(const std::filesystem::path& path, const PictureSize& size);
+
+/// `text` as a string of gnuplot's that is printed as it is; control characters become blanks.
+[[nodiscard]] std::string gnuplot_string(std::string_view text);
+
+/// The lines that define the data block `$name`, one point of `x` and `y` each.
+[[nodiscard]] std::string gnuplot_data(std::string_view name, const std::vector<double>& x,
+                                       const std::vector<double>& y);
+
+/// The picture that gnuplot makes of `script`. Throws InputError when gnuplot is missing or fails.
+[[nodiscard]] std::string gnuplot_picture(const std::string& script);
+
+}  // namespace skinfit

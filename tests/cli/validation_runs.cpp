@@ -1,0 +1,73 @@
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/cli_test.hpp"
+
+namespace skinfit::test {
+namespace {
+
+using Arguments = std::vector<std::string>;
+using Json = nlohmann::ordered_json;
+
+class ValidationRuns : public CliTest {
+protected:
+    [[nodiscard]] bool exists(const std::string& name) const { return std::filesystem::exists(folder() / name); }
+
+    /// Expects a refusal of bad input that says `what`, and no output.
+    void expect_refusal(const Arguments& arguments, const std::string& what) const {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_NE(outcome.err.find(what), std::string::npos) << outcome.err;
+    }
+};
+
+TEST_F(ValidationRuns, AFigureIsATableTwoPicturesAndVerdictsInAnyFolder) {
+    const Outcome outcome = run({"validate", "forward", "--figures", "5", "--output", "new/folder"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_NE(outcome.out.find("Figure 5"), std::string::npos);
+    for (const std::string name : {"figure_5.csv", "figure_5.svg", "figure_5.png", "summary.json"}) {
+        EXPECT_TRUE(exists("new/folder/" + name)) << name;
+    }
+    EXPECT_FALSE(exists("new/folder/figure_3.csv"));
+    EXPECT_TRUE(read_file(folder() / "new/folder/figure_5.png").starts_with("\x89PNG"));
+    EXPECT_NE(read_file(folder() / "new/folder/figure_5.svg").find("</svg>"), std::string::npos);
+}
+
+TEST_F(ValidationRuns, JsonIsTheSummaryAndEveryClaimHasItsVariants) {
+    const Outcome outcome = run({"validate", "forward", "--figures", "9,8", "--format", "json"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, read_file(folder() / "forward_validation/summary.json"));
+    const Json json = Json::parse(outcome.out);
+    ASSERT_EQ(json["figures"].size(), 2U);
+    EXPECT_EQ(json["figures"][0]["figure"], 9);
+    const Json& claims = json["figures"][0]["claims"];
+    ASSERT_EQ(claims.size(), 4U);
+    for (const Json& claim : claims) {
+        EXPECT_EQ(claim["claim"], "yellower_in_order");
+        EXPECT_TRUE(claim["verdict"] == "reproduced" || claim["verdict"] == "not reproduced");
+        EXPECT_TRUE(claim["number"].is_number());
+        EXPECT_NE(claim["why"], "");
+    }
+}
+
+TEST_F(ValidationRuns, AnAbsentMeasurementIsNotedOnStderr) {
+    const Outcome outcome = run({"validate", "forward", "--figures", "10", "--shared", "nowhere"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_NE(outcome.err.find("note: figure 10: "), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.out.find("skipped"), std::string::npos);
+}
+
+TEST_F(ValidationRuns, BadOptionsAreRefusedBeforeTheWork) {
+    expect_refusal({"validate", "forward", "--figures", "5,2"}, "no figure \"2\" (there are figures 3 to 10)");
+    expect_refusal({"validate", "forward", "--figures", "five"}, "no figure \"five\"");
+    expect_refusal({"validate", "forward", "--rays", "-1"}, "--rays");
+    expect_refusal({"validate", "forward", "--figure", "5"}, "did you mean --figures?");
+    put("file", "");
+    expect_refusal({"validate", "forward", "--output", "file"}, "--output file: no folder that can be written");
+    expect_refusal({"validate"}, "forward");
+    EXPECT_FALSE(exists("forward_validation"));
+}
+
+}  // namespace
+}  // namespace skinfit::test
