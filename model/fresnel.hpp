@@ -37,6 +37,11 @@ public:
         return 2.0 * xi * both * both < perpendicular * perpendicular + parallel * parallel;
     }
 
+    [[nodiscard]] double n1() const { return n1_; }
+    [[nodiscard]] double n2() const { return n2_; }
+    /// (n1 / n2)^2.
+    [[nodiscard]] double ratio_squared() const { return ratio_squared_; }
+
 private:
     struct Amplitudes {
         double perpendicular_difference, perpendicular_sum, parallel_difference, parallel_sum;

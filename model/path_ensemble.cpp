@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <utility>
+
+#include "model/recorded_walk.hpp"
 
 namespace skinfit {
 namespace {
@@ -22,18 +25,17 @@ RayRange rays_of_batch(std::uint64_t rays, std::size_t batch) {
     return {rays * batch / PathEnsemble::batch_count, rays * (batch + 1) / PathEnsemble::batch_count};
 }
 
-BatchPaths trace_batch(const LayerStack& stack, double refracted_cosine, const RayRange& range, std::uint64_t seed) {
+double size_of_batch(std::uint64_t rays, std::size_t batch) {
+    const RayRange range = rays_of_batch(rays, batch);
+    return static_cast<double>(range.end - range.begin);
+}
+
+BatchPaths trace_batch(const LayerStack& stack, const RecordedBatch& batch, const SobolPoints& points) {
     BatchPaths paths;
-    for (std::uint64_t ray = range.begin; ray != range.end; ++ray) {
-        PerLayer<double> lengths{};
-        const Exit exit = RandomWalk(stack, RandomRay(seed, ray))
-                              .below_surface(refracted_cosine, [&lengths](int layer, double cosine, double) {
-                                  lengths[static_cast<std::size_t>(layer)] += 1.0 / cosine;
-                                  return true;
-                              });
-        const Side side = exit == Exit::reflected ? Side::top : Side::bottom;
+    for (const RecordedRay& ray : record_batch(stack, batch, points)) {
+        const Side side = ray.exit == Exit::reflected ? Side::top : Side::bottom;
         PerLayer<float> row{};
-        std::ranges::transform(lengths, row.begin(), [](double length) { return static_cast<float>(length); });
+        std::ranges::transform(ray.lengths, row.begin(), [](double length) { return static_cast<float>(length); });
         paths[static_cast<std::size_t>(side)].push_back(row);
     }
     return paths;
@@ -70,12 +72,19 @@ PathEnsemble PathEnsemble::trace(const Sample& sample, const std::vector<double>
     const FresnelInterface surface(1.0, sample.skin.stratum_corneum_refractive_index);
     const double incidence_cosine = std::cos(options.incidence_rad);
     const double refracted_cosine = surface.transmitted_cosine(incidence_cosine);
+    const SobolPoints points(options.rays / batch_count + 1);
     std::vector<Segments> segments;
     for (const double wavelength_nm : wavelengths_nm) {
         const LayerStack stack = layer_stack(sample, wavelength_nm);
         std::vector<BatchPaths> batches(batch_count);
         tbb::parallel_for(std::size_t{0}, batch_count, [&](std::size_t batch) {
-            batches[batch] = trace_batch(stack, refracted_cosine, rays_of_batch(options.rays, batch), options.seed);
+            const RayRange range = rays_of_batch(options.rays, batch);
+            batches[batch] = trace_batch(stack,
+                                         {.refracted_cosine = refracted_cosine,
+                                          .rays = range.end - range.begin,
+                                          .seed = options.seed,
+                                          .number = static_cast<std::uint32_t>(batch)},
+                                         points);
         });
         segments.push_back({append(batches, 0, *lengths), append(batches, 1, *lengths)});
     }
@@ -119,6 +128,7 @@ std::vector<EnsembleResponse> PathEnsemble::respond(std::span<const PerLayer<dou
     });
     const double entering = 1.0 - surface_share_;
     const auto count = static_cast<double>(used_rays());
+    const auto batches = static_cast<double>(used_batches_);
     std::vector<EnsembleResponse> responses(wavelength_count());
     for (std::size_t wavelength = 0; wavelength < wavelength_count(); ++wavelength) {
         for (std::size_t side = 0; side < side_count; ++side) {
@@ -127,8 +137,14 @@ std::vector<EnsembleResponse> PathEnsemble::respond(std::span<const PerLayer<dou
             Escape& escape = responses[wavelength].side[side];
             const double mean = total.weight / count;
             escape.share = entering * mean;
-            escape.standard_error =
-                entering * std::sqrt(std::max(0.0, total.weight_squared / count - mean * mean) / (count - 1.0));
+            double scatter = 0.0;
+            for (std::size_t batch = 0; batch < used_batches_; ++batch) {
+                const double deviation = sums[wavelength][side][batch].weight - mean * size_of_batch(rays_, batch);
+                scatter += deviation * deviation;
+            }
+            escape.standard_error = used_batches_ == 1
+                                        ? std::numeric_limits<double>::infinity()
+                                        : entering * std::sqrt(scatter * batches / (batches - 1.0)) / count;
             for (std::size_t layer = 0; layer < layer_count; ++layer) {
                 escape.by_optical_depth[layer] = -entering * total.weight_length[layer] / count;
             }
@@ -144,9 +160,7 @@ std::vector<std::array<double, PathEnsemble::batch_count>> PathEnsemble::batch_s
     for (std::size_t wavelength = 0; wavelength < wavelength_count(); ++wavelength) {
         for (std::size_t batch = 0; batch < batch_count; ++batch) {
             const PathSums sums = sum_paths(paths(wavelength, side, batch), optical_depths[wavelength]);
-            const RayRange range = rays_of_batch(rays_, batch);
-            shares[wavelength][batch] =
-                (1.0 - surface_share_) * sums.weight / static_cast<double>(range.end - range.begin);
+            shares[wavelength][batch] = (1.0 - surface_share_) * sums.weight / size_of_batch(rays_, batch);
         }
     }
     return shares;

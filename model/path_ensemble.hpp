@@ -20,7 +20,7 @@ inline constexpr std::size_t side_count = 2;
 /// The share of the incident light that leaves through one side, and how it answers to absorption.
 struct Escape {
     double share = 0.0;
-    double standard_error = 0.0;          ///< of the Monte Carlo estimate
+    double standard_error = 0.0;          ///< of `share`, from the scatter of the batches; infinite for one batch
     PerLayer<double> by_optical_depth{};  ///< derivative of `share` by each layer's optical depth
 };
 
@@ -36,15 +36,15 @@ struct EnsembleResponse {
 ///
 ///     share = (1 - F) / N  sum_i exp(-sum_l depth_l S_il),   S_il = sum over path i's runs in layer l of 1/cosine
 ///
-/// with F the surface's Fresnel reflectance. Ray i here is ray i of `random_walk` given that it enters the skin.
-/// Copies share the recording, which never changes.
+/// with F the surface's Fresnel reflectance. The rays are those of `record_batch`, independent from batch to batch
+/// only. Copies share the recording, which never changes.
 class PathEnsemble {
 public:
     /// Rays are recorded in this many batches, whose scatter shows the Monte Carlo error of anything computed here.
     static constexpr std::size_t batch_count = 32;
 
-    /// Traces `options.rays` rays that enter the sample, per wavelength. The same bits for any number of threads.
-    /// `options.rays` must be at least `batch_count`.
+    /// Traces `options.rays` rays that enter the sample, per wavelength. The same bits on any machine and for any
+    /// number of threads. `options.rays` must be at least `batch_count`.
     [[nodiscard]] static PathEnsemble trace(const Sample& sample, const std::vector<double>& wavelengths_nm,
                                             const WalkOptions& options);
 

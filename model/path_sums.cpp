@@ -26,7 +26,6 @@ std::size_t add_vectors(Doubles doubles, const PathSpan& paths, const PerLayer<d
     const auto depth2 = hn::Set(doubles, -optical_depth[2]);
     const auto depth3 = hn::Set(doubles, -optical_depth[3]);
     auto weights = hn::Zero(doubles);
-    auto squares = hn::Zero(doubles);
     auto lengths0 = hn::Zero(doubles);
     auto lengths1 = hn::Zero(doubles);
     auto lengths2 = hn::Zero(doubles);
@@ -40,7 +39,6 @@ std::size_t add_vectors(Doubles doubles, const PathSpan& paths, const PerLayer<d
             depth0, length0, hn::MulAdd(depth1, length1, hn::MulAdd(depth2, length2, hn::Mul(depth3, length3))));
         const auto weight = hn::Exp(doubles, depth);
         weights = hn::Add(weights, weight);
-        squares = hn::MulAdd(weight, weight, squares);
         lengths0 = hn::MulAdd(weight, length0, lengths0);
         lengths1 = hn::MulAdd(weight, length1, lengths1);
         lengths2 = hn::MulAdd(weight, length2, lengths2);
@@ -48,7 +46,6 @@ std::size_t add_vectors(Doubles doubles, const PathSpan& paths, const PerLayer<d
     }
     const auto total = [&](auto lane_sums) { return hn::GetLane(hn::SumOfLanes(doubles, lane_sums)); };
     sums += {.weight = total(weights),
-             .weight_squared = total(squares),
              .weight_length = {total(lengths0), total(lengths1), total(lengths2), total(lengths3)}};
     return i;
 }
@@ -70,7 +67,6 @@ HWY_EXPORT(sum_paths);
 
 PathSums& PathSums::operator+=(const PathSums& other) {
     weight += other.weight;
-    weight_squared += other.weight_squared;
     for (std::size_t layer = 0; layer < layer_count; ++layer) weight_length[layer] += other.weight_length[layer];
     return *this;
 }

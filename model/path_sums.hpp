@@ -9,7 +9,6 @@ namespace skinfit {
 /// Sums over some of the paths that leave a sample through one side.
 struct PathSums {
     double weight = 0.0;               ///< sum of exp(-depth . length): the number expected to survive
-    double weight_squared = 0.0;       ///< sum of its square
     PerLayer<double> weight_length{};  ///< sum of weight times length, per layer
 
     PathSums& operator+=(const PathSums& other);

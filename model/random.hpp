@@ -10,6 +10,14 @@ namespace skinfit {
 /// Four independent uniform numbers in (0, 1), each a multiple of 2^-33.
 using FourUniforms = std::array<double, 4>;
 
+/// Four independent uniform words.
+using FourWords = std::array<std::uint32_t, 4>;
+
+/// The middle of the 2^-32 of the unit interval that a uniform word stands for.
+[[nodiscard]] constexpr double to_uniform(std::uint32_t word) {
+    return (word + 0.5) * 0x1p-32;
+}
+
 /// Counter-based random numbers [SALMON11]: the numbers of event e of ray i are a function of (seed, i, e, attempt)
 /// alone, so a ray is the same on any machine, in any order and on any number of threads. They do not depend on the
 /// wavelength nor on the sample: these are common random numbers across wavelengths and parameter changes. Two walks
@@ -22,15 +30,18 @@ public:
 
     /// The numbers of one attempt at one event.
     [[nodiscard]] FourUniforms uniforms(std::uint32_t event, std::uint32_t attempt) const {
+        const FourWords drawn = words(event, attempt);
+        return {to_uniform(drawn[0]), to_uniform(drawn[1]), to_uniform(drawn[2]), to_uniform(drawn[3])};
+    }
+    /// The same as words.
+    [[nodiscard]] FourWords words(std::uint32_t event, std::uint32_t attempt) const {
         const r123::Philox4x32::ctr_type counter = {
             {static_cast<std::uint32_t>(ray_), static_cast<std::uint32_t>(ray_ >> 32U), event, attempt}};
         const r123::Philox4x32::ctr_type bits = r123::Philox4x32_R<7>{}(counter, key_);
-        return {to_uniform(bits[0]), to_uniform(bits[1]), to_uniform(bits[2]), to_uniform(bits[3])};
+        return {bits[0], bits[1], bits[2], bits[3]};
     }
 
 private:
-    static double to_uniform(std::uint32_t bits) { return (bits + 0.5) * 0x1p-32; }
-
     r123::Philox4x32::key_type key_;
     std::uint64_t ray_;
 };

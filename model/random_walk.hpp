@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "model/azimuth.hpp"
@@ -17,14 +18,14 @@ enum class Exit { surface, reflected, transmitted, absorbed };
 
 /// One ray's walk below the skin's surface, [KA04, Sec. 3]. The polar cosine alone decides where it goes: azimuths
 /// are uniform and nothing in the layers depends on them. `Azimuth` follows the ray's azimuth or ignores it; the walk
-/// is the same, number by number.
+/// is the same, number by number. `Random` gives the uniform numbers of an attempt at an event.
 ///
 /// `on_run(layer, cosine, xi)` is called for each completed run with the layer's number, the cosine to the normal and
 /// the uniform number of the run's absorption test; the ray ends as absorbed where it returns false.
-template <class Azimuth>
+template <class Azimuth, class Random = RandomRay>
 class BasicRandomWalk {
 public:
-    BasicRandomWalk(const LayerStack& stack, const RandomRay& random) : stack_(&stack), random_(random) {}
+    BasicRandomWalk(const LayerStack& stack, const Random& random) : stack_(&stack), random_(random) {}
 
     /// Whether a ray of incidence cosine `cosine` is reflected at the surface, and where it goes if not.
     struct FirstHit {
@@ -40,21 +41,44 @@ public:
     /// Follows the ray that has entered the topmost layer with `cosine` until it leaves or is absorbed.
     template <class OnRun>
     [[nodiscard]] Exit below_surface(double cosine, OnRun&& on_run) {
-        layer_ = 0;
-        step_ = down;
-        bounced_ = false;
-        cosine_ = cosine;
+        enter(cosine);
         FourUniforms next_xi = random_.uniforms(1, 0);
         for (std::uint32_t event = 1;; ++event) {
             const FourUniforms xi = next_xi;
             next_xi = random_.uniforms(event + 1, 0);  // drawn early: its latency hides behind this event
-            const bool completed = layer_ < 2 ? scatter_forward(event, xi) : scatter_in_dermis(event, xi);
-            if (completed && !on_run(layer_, cosine_, xi[3])) return Exit::absorbed;
-            cross_interface(xi[2]);
-            if (layer_ < 0) return Exit::reflected;
-            if (layer_ == stack_->layers) return Exit::transmitted;
+            if (const std::optional<Exit> exit = follow_event(event, xi, on_run)) return *exit;
         }
     }
+
+    /// The same event by event, for walks that choose their numbers as they go: the ray enters the topmost layer, ...
+    void enter(double cosine) {
+        layer_ = 0;
+        step_ = down;
+        bounced_ = false;
+        cosine_ = cosine;
+    }
+    /// ... and each event, from 1 on, scatters it with the numbers `xi`, moves it through its layer to the next
+    /// interface and there on or back.
+    template <class OnRun>
+    std::optional<Exit> follow_event(std::uint32_t event, const FourUniforms& xi, OnRun&& on_run) {
+        const bool completed = layer_ < 2 ? scatter_forward(event, xi) : scatter_in_dermis(event, xi);
+        if (completed && !on_run(layer_, cosine_, xi[3])) return Exit::absorbed;
+        cross_interface(xi[2]);
+        if (layer_ < 0) return Exit::reflected;
+        if (layer_ == stack_->layers) return Exit::transmitted;
+        return std::nullopt;
+    }
+
+    /// Where the ray is and what it will do next.
+    struct State {
+        int layer;
+        bool upward;
+        bool bounced;  ///< reflected at interface 3, 4 or 5
+        double cosine;
+    };
+    [[nodiscard]] State state() const { return {layer_, step_ != down, bounced_, cosine_}; }
+    /// The numbers of the attempts to come.
+    void set_random(const Random& random) { random_ = random; }
 
     /// The direction of a ray that has left through the top or the base, outside: its cosine to the normal and its
     /// azimuth.
@@ -72,9 +96,6 @@ private:
             const FourUniforms again = random_.uniforms(event, attempt);
             deflection = forward_deflection(again[0], again[1]);
             next = deflected_cosine(cosine_, deflection);
-            if (next > 0.0) break;
-            deflection = forward_deflection(again[2], again[3]);
-            next = deflected_cosine(cosine_, deflection);
         }
         azimuth_.deflect(cosine_, deflection);
         cosine_ = next;
@@ -91,30 +112,22 @@ private:
     bool scatter_in_dermis(std::uint32_t event, const FourUniforms& xi) {
         const bool asks = stack_->edition == Edition::revised ? step_ == down : !bounced_;
         // [KA04, Eq. 3]
-        const bool rayleigh =
-            asks && xi[0] < 1.0 - std::exp(-stack_->rayleigh_depth[static_cast<std::size_t>(layer_)] / cosine_);
-        if (!rayleigh) {
+        const double share = asks ? 1.0 - decay(stack_->rayleigh_depth[static_cast<std::size_t>(layer_)] / cosine_) : 0;
+        if (xi[0] >= share) {
             cosine_ = DiffuseScattering::cosine(xi[1]);
-            // The first further attempt's numbers: only a Rayleigh scattering takes them otherwise.
             azimuth_.draw([&] { return random_.uniforms(event, 1)[0]; });
             return true;
         }
-        const double polar_cosine = rayleigh_cosine(event);
+        // A number that has passed the test is uniform below the share it was tested against.
+        const double polar_cosine = stack_->rayleigh.cosine(xi[0] / share);
+        const double sine_squared = 1.0 - polar_cosine * polar_cosine;
         const Deflection deflection{
-            .cosine = polar_cosine, .sine = std::sqrt(1.0 - polar_cosine * polar_cosine), .azimuth_turns = xi[1]};
+            .cosine = polar_cosine, .sine = std::sqrt(sine_squared > 0.0 ? sine_squared : 0.0), .azimuth_turns = xi[1]};
         const double next = deflected_cosine(cosine_, deflection);
         azimuth_.deflect(cosine_, deflection);
         cosine_ = std::abs(next);
         if (next < 0.0) step_ = -step_;
         return next >= 0.0;
-    }
-
-    double rayleigh_cosine(std::uint32_t event) const {
-        for (std::uint32_t attempt = 1;; ++attempt) {
-            const FourUniforms xi = random_.uniforms(event, attempt);
-            if (const std::optional<double> cosine = stack_->rayleigh.cosine(xi[0], xi[1])) return *cosine;
-            if (const std::optional<double> cosine = stack_->rayleigh.cosine(xi[2], xi[3])) return *cosine;
-        }
     }
 
     /// The next interface in the ray's direction reflects or transmits it. [KA04, Sec. 3.1]
@@ -145,7 +158,7 @@ private:
     }
 
     const LayerStack* stack_;
-    RandomRay random_;
+    Random random_;
     int layer_ = 0;         // -1: left through the top; stack.layers: left through the base
     int step_ = down;       // to the next layer
     bool bounced_ = false;  // reflected at interface 3, 4 or 5

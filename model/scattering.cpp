@@ -63,11 +63,12 @@ ForwardScattering::ForwardScattering(Layer layer, double wavelength_nm) {
     }
     for (std::size_t i = 0; i + 1 < knot_count_; ++i) {
         slope_[i] = (angle_[i + 1] - angle_[i]) / (share_[i + 1] - share_[i]);
+        offset_[i] = angle_[i] - slope_[i] * share_[i];
     }
     for (std::size_t i = 0; i < guide_size; ++i) {
         const double share = static_cast<double>(i) / guide_size;
         const auto* const above = std::upper_bound(share_.begin(), share_.begin() + knot_count_, share);
-        guide_[i] = static_cast<unsigned char>(above - share_.begin() - 1);
+        guide_[i] = static_cast<std::int64_t>(above - share_.begin() - 1);
     }
 }
 

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "model/chromophores.hpp"
+#include "model/recorded_walk.hpp"
 
 namespace skinfit {
 namespace {
@@ -46,21 +47,22 @@ double depth_along(const PerLayer<double>& path, const PerLayer<double>& depth) 
     return path[0] * depth[0] + path[1] * depth[1] + path[2] * depth[2] + path[3] * depth[3];
 }
 
-TEST(PathEnsemble, RecordsTheRaysOfTheWalk) {
+TEST(PathEnsemble, KeepsTheRaysOfItsBatchesInOrder) {
     const PathEnsemble ensemble = PathEnsemble::trace(thin_skin, wavelengths_nm, options);
+    const SobolPoints points(options.rays);
     for (std::size_t w = 0; w < wavelengths_nm.size(); ++w) {
         const LayerStack stack = layer_stack(thin_skin, wavelengths_nm[w]);
         std::array<std::vector<PerLayer<double>>, side_count> expected;
-        for (std::uint64_t ray = 0; ray < options.rays; ++ray) {
-            RandomWalk walk(stack, RandomRay(options.seed, ray));
-            const double refracted = walk.first_hit(std::cos(options.incidence_rad)).refracted_cosine;
-            PerLayer<double> lengths{};
-            const Exit exit = walk.below_surface(refracted, [&](int layer, double cosine, double) {
-                lengths[static_cast<std::size_t>(layer)] += 1.0 / cosine;
-                return true;
-            });
-            for (double& length : lengths) length = static_cast<double>(static_cast<float>(length));
-            expected[exit == Exit::reflected ? 0 : 1].push_back(lengths);
+        for (std::uint32_t batch = 0; batch < PathEnsemble::batch_count; ++batch) {
+            const std::uint64_t begin = options.rays * batch / PathEnsemble::batch_count;
+            const std::uint64_t end = options.rays * (batch + 1) / PathEnsemble::batch_count;
+            const double refracted = stack.between(-1, 0).transmitted_cosine(std::cos(options.incidence_rad));
+            for (RecordedRay ray : record_batch(
+                     stack, {.refracted_cosine = refracted, .rays = end - begin, .seed = options.seed, .number = batch},
+                     points)) {
+                for (double& length : ray.lengths) length = static_cast<double>(static_cast<float>(length));
+                expected[ray.exit == Exit::reflected ? 0 : 1].push_back(ray.lengths);
+            }
         }
         EXPECT_EQ(recorded(ensemble, w, Side::top), expected[0]);
         EXPECT_EQ(recorded(ensemble, w, Side::bottom), expected[1]);
@@ -76,14 +78,12 @@ TEST(PathEnsemble, RespondsWithTheSumOverItsPaths) {
     for (std::size_t w = 0; w < wavelengths_nm.size(); ++w) {
         for (const Side side : {Side::top, Side::bottom}) {
             double sum = 0.0;
-            double squares = 0.0;
             double worst = 0.0;  // sum of the paths' rounding errors in units of epsilon
             PerLayer<double> length_sum{};
             for (const PerLayer<double>& path : recorded(ensemble, w, side)) {
                 const double depth = depth_along(path, depths[w]);
                 const double weight = std::exp(-depth);
                 sum += weight;
-                squares += weight * weight;
                 worst += weight * (2.0 + 8.0 * depth);  // 4 products and sums either way, and two exponentials
                 for (std::size_t l = 0; l < layer_count; ++l) length_sum[l] += weight * path[l];
             }
@@ -91,9 +91,6 @@ TEST(PathEnsemble, RespondsWithTheSumOverItsPaths) {
             // A sum of n positive terms in any order is within n epsilon / 2 of the truth, relatively.
             const double relative = epsilon * (n + worst / sum + 8.0);
             EXPECT_NEAR(escape.share, entering * sum / n, relative * entering * sum / n);
-            const double variance = squares / n - (sum / n) * (sum / n);
-            EXPECT_NEAR(escape.standard_error, entering * std::sqrt(variance / (n - 1)),
-                        4.0 * relative * squares / n / variance * escape.standard_error);
             for (std::size_t l = 0; l < layer_count; ++l) {
                 // Here a path's error weighs as its length; its depth is at most 745 where its weight is not zero.
                 const double derivative = entering * length_sum[l] / n;
@@ -152,6 +149,27 @@ TEST(PathEnsemble, WithoutAbsorptionEverythingReturns) {
         // Both shares are counts over n, scaled: three roundings.
         EXPECT_NEAR(response[Side::top].share + response[Side::bottom].share, 1.0 - thin.surface_share(), 4 * epsilon);
     }
+}
+
+TEST(PathEnsemble, StandardErrorIsTheScatterOfItsBatches) {
+    WalkOptions equal_batches = options;
+    equal_batches.rays = 320 * PathEnsemble::batch_count;
+    const PathEnsemble ensemble = PathEnsemble::trace(thin_skin, wavelengths_nm, equal_batches);
+    const std::vector<PerLayer<double>> depths = depths_of(thin_skin);
+    for (const Side side : {Side::top, Side::bottom}) {
+        const auto shares = ensemble.batch_shares(depths, side);
+        const std::vector<EnsembleResponse> responses = ensemble.respond(depths);
+        for (std::size_t w = 0; w < wavelengths_nm.size(); ++w) {
+            double squares = 0.0;
+            for (const double share : shares[w]) squares += std::pow(share - responses[w][side].share, 2);
+            const double expected = std::sqrt(squares / (PathEnsemble::batch_count - 1) / PathEnsemble::batch_count);
+            // A share is rounded as a sum of 320 terms, a thousand times more finely than the shares differ.
+            const double rounding = 320 * epsilon * responses[w][side].share;
+            EXPECT_NEAR(responses[w][side].standard_error, expected, rounding);
+            EXPECT_LT(rounding, 1e-9 * expected);
+        }
+    }
+    EXPECT_TRUE(std::isinf(ensemble.with_about(1).respond(depths)[0][Side::top].standard_error));
 }
 
 TEST(PathEnsemble, BatchesAddUpToTheWhole) {
