@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "model/angular_composition.hpp"
 #include "model/angular_grid.hpp"
 #include "model/parameters.hpp"
 #include "model/path_ensemble.hpp"
@@ -56,6 +57,9 @@ public:
     /// cosine of the exit angle. `cosine_edges` ascend from 0 to 1; one value fewer is returned.
     [[nodiscard]] std::vector<double> exit_shares(double wavelength_nm, Side side,
                                                   std::span<const double> cosine_edges) const;
+
+    /// The same sample at one wavelength, for many optical depths of its layers in place of the sample's own.
+    [[nodiscard]] AngularComposition composition(double wavelength_nm) const;
 
 private:
     /// The first interface, and the light that enters through it.
