@@ -1,7 +1,10 @@
 #include "model/angular_composition.hpp"
 
+#include <Eigen/LU>
 #include <cassert>
+#include <map>
 #include <utility>
+#include <vector>
 
 namespace skinfit {
 namespace {
@@ -63,7 +66,8 @@ void AngularComposition::add_senders(std::size_t space, const AngularSide& side,
     const MatrixXd transmitted =
         senders.bottomRows(nodes.transmitting).transpose() * scaled(1.0 - nodes.reflectance.tail(nodes.transmitting));
     if (side.exit) {
-        rows.payoff.col(side.heading == Heading::up ? 0 : 1).segment(row, senders.cols()) += transmitted.rowwise().sum();
+        rows.payoff.col(side.heading == Heading::up ? 0 : 1).segment(row, senders.cols()) +=
+            transmitted.rowwise().sum();
         return;
     }
     const MatrixXd onward =
@@ -159,23 +163,64 @@ AngularComposition::Chances AngularComposition::below_papillary(double reticular
 AngularComposition::Dermis AngularComposition::dermis(const Layered& papillary_rows, const Chances& below) const {
     const Index up = count(papillary, Heading::up);
     const MatrixXd through = papillary_rows.beneath * below;
-    Dermis result{.matrix = MatrixXd::Identity(papillary_rows.own.rows(), papillary_rows.own.cols()) - papillary_rows.own,
-                  .payoff = papillary_rows.payoff + through.rightCols(exits)};
+    Dermis result{
+        .matrix = MatrixXd::Identity(papillary_rows.own.rows(), papillary_rows.own.cols()) - papillary_rows.own,
+        .payoff = papillary_rows.payoff + through.rightCols(exits)};
     result.matrix.rightCols(up) -= through.leftCols(up);
     return result;
 }
 
-PerExit AngularComposition::shares(const Above& above, const Chances& papillary_above, const Dermis& dermis) const {
+PerExit AngularComposition::combined(const Above& above, const Chances& papillary_above, const Dermis& dermis) const {
     const Index down = count(papillary, Heading::down);
     MatrixXd matrix = dermis.matrix;
     matrix.leftCols(down) -= papillary_above.leftCols(down);
     const Eigen::MatrixX2d payoff = dermis.payoff + papillary_above.rightCols(exits);
     const Eigen::MatrixX2d starts = matrix.partialPivLu().solve(payoff);
-    return entering_share_ * (above.entering.head(down) * starts.topRows(down) + above.entering.tail(exits));
+    return above.entering.head(down) * starts.topRows(down) + above.entering.tail(exits);
 }
 
-PerExit AngularComposition::shares(const Above& above) const {
-    return entering_share_ * above.entering.tail(exits);
+bool AngularComposition::has_dermis() const {
+    return count(papillary, Heading::down) > 0;
+}
+
+ShareTable AngularComposition::shares(std::span<const UpperDepths> upper, std::span<const LowerDepths> lower,
+                                      Heading exit) const {
+    const Index column = exit == Heading::up ? 0 : 1;
+    ShareTable table(static_cast<Index>(upper.size()), static_cast<Index>(lower.size()));
+    std::map<double, Above> stratum_corneums;
+    std::map<double, Layered> papillaries;
+    std::map<double, Chances> reticulars;
+    std::vector<Dermis> dermises;
+    for (const LowerDepths& depths : lower) {
+        if (!has_dermis()) break;
+        if (!papillaries.contains(depths.papillary)) {
+            papillaries.emplace(depths.papillary, layer(Layer::papillary_dermis, depths.papillary));
+        }
+        if (!reticulars.contains(depths.reticular)) {
+            reticulars.emplace(depths.reticular, below_papillary(depths.reticular));
+        }
+        dermises.push_back(dermis(papillaries.at(depths.papillary), reticulars.at(depths.reticular)));
+    }
+    for (std::size_t i = 0; i < upper.size(); ++i) {
+        const auto row = static_cast<Index>(i);
+        if (!stratum_corneums.contains(upper[i].stratum_corneum)) {
+            stratum_corneums.emplace(upper[i].stratum_corneum, above_epidermis(upper[i].stratum_corneum));
+        }
+        const Above above = above_dermis(stratum_corneums.at(upper[i].stratum_corneum), upper[i].epidermis);
+        if (!has_dermis()) {
+            table.row(row).setConstant(entering_share_ * above.entering(above.entering.size() - exits + column));
+            continue;
+        }
+        std::map<double, Chances> papillary_aboves;
+        for (const auto& [depth, papillary_rows] : papillaries) {
+            papillary_aboves.emplace(depth, papillary_rows.above * above.up);
+        }
+        for (std::size_t j = 0; j < lower.size(); ++j) {
+            table(row, static_cast<Index>(j)) =
+                entering_share_ * combined(above, papillary_aboves.at(lower[j].papillary), dermises[j])(column);
+        }
+    }
+    return table;
 }
 
 }  // namespace skinfit

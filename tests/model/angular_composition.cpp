@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <vector>
 
 #include "model/angular_solver.hpp"
 #include "model/chromophores.hpp"
@@ -25,19 +25,12 @@ TEST_P(EveryComposition, HasTheSharesOfTheSolverAtAnyPigments) {
         skin.reticular_blood_fraction *= 3.0 * factor;
         const AngularResponse expected = solver.with(skin).shares(wavelength_nm);
         const PerLayer<double> depth = optical_depth(skin, Extinction::at(wavelength_nm, angular_case.sample.edition));
-        const auto above = composition.above_dermis(composition.above_epidermis(depth[0]), depth[1]);
-        PerExit shares;
-        if (angular_case.sample.layers == 2) {
-            shares = composition.shares(above);
-        } else {
-            const auto papillary = composition.layer(Layer::papillary_dermis, depth[2]);
-            shares = composition.shares(above, papillary.above * above.up,
-                                        composition.dermis(papillary, composition.below_papillary(depth[3])));
-        }
+        const std::vector<UpperDepths> upper = {{depth[0], depth[1]}};
+        const std::vector<LowerDepths> lower = {{depth[2], depth[3]}};
         // Two eliminations of the same system, whose condition is moderate: rounding of some hundred unknowns.
         constexpr double rounding = 1e-12;
-        EXPECT_NEAR(shares(0), expected.reflected.share, rounding);
-        EXPECT_NEAR(shares(1), expected.transmitted.share, rounding);
+        EXPECT_NEAR(composition.shares(upper, lower, Heading::up)(0, 0), expected.reflected.share, rounding);
+        EXPECT_NEAR(composition.shares(upper, lower, Heading::down)(0, 0), expected.transmitted.share, rounding);
     }
 }
 
