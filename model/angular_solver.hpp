@@ -58,6 +58,8 @@ public:
     [[nodiscard]] std::vector<double> exit_shares(double wavelength_nm, Side side,
                                                   std::span<const double> cosine_edges) const;
 
+    /// The share of the incident light that the surface reflects.
+    [[nodiscard]] double surface_share() const { return entry_->reflectance; }
     /// The same sample at one wavelength, for many optical depths of its layers in place of the sample's own.
     [[nodiscard]] AngularComposition composition(double wavelength_nm) const;
 
