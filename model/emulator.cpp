@@ -33,15 +33,15 @@ Emulator::Emulator(Parts parts)
       wavelength_count_(parts.wavelength_count),
       groups_(std::move(parts.groups)),
       coefficients_(parts.coefficients),
-      terms_(parts.terms),
+      counts_(parts.counts),
       owner_(std::move(parts.owner)) {
-    std::size_t term = 0;
+    std::size_t count = 0;
     std::size_t coefficient = 0;
     for (const Group& group : groups_) {
-        series_.push_back({.counts = group.counts,
-                           .terms = terms_.subspan(term, group.term_count),
+        series_.push_back({.most = group.most,
+                           .counts = counts_.subspan(count, group.count_count),
                            .coefficients = coefficients_.subspan(coefficient, group.coefficient_count)});
-        term += group.term_count;
+        count += group.count_count;
         coefficient += group.coefficient_count;
     }
 }
@@ -51,7 +51,7 @@ Emulator::Parts Emulator::parts() const {
             .wavelength_count = wavelength_count_,
             .groups = groups_,
             .coefficients = coefficients_,
-            .terms = terms_,
+            .counts = counts_,
             .owner = owner_};
 }
 

@@ -63,17 +63,17 @@ public:
         PerLayer<Lanes<double>> lowest;  ///< optical depth of the domain
         PerLayer<Lanes<double>> highest;
         Lanes<double> certified_error;
-        std::array<int, 3> counts;  ///< as `EmulatorSeries`
-        std::uint32_t term_count;
+        PerLayer<int> most;  ///< as `EmulatorSeries`, and the sizes of its parts
+        std::uint64_t count_count;
         std::uint64_t coefficient_count;
     };
-    /// An emulator as plain data, group after group. `terms` and `coefficients` live as long as `owner`.
+    /// An emulator as plain data, group after group. `counts` and `coefficients` live as long as `owner`.
     struct Parts {
         double surface_share;
         std::size_t wavelength_count;
         std::vector<Group> groups;
         std::span<const float> coefficients;
-        std::span<const std::uint8_t> terms;
+        std::span<const std::uint8_t> counts;
         std::shared_ptr<const void> owner;
     };
     explicit Emulator(Parts parts);
@@ -88,7 +88,7 @@ private:
     std::vector<Group> groups_;
     std::vector<EmulatorSeries> series_;
     std::span<const float> coefficients_;
-    std::span<const std::uint8_t> terms_;
+    std::span<const std::uint8_t> counts_;
     std::shared_ptr<const void> owner_;
 };
 

@@ -16,9 +16,9 @@
 namespace skinfit {
 namespace {
 
-/// Terms below this are left out, and nodes suffice where the series has fallen below it. Some hundred terms of this
-/// size and of any sign add up to less than 1e-5.
-constexpr double least_coefficient = 3e-7;
+/// Terms below this are left out, and the nodes suffice where the series along a layer has fallen below it. The error
+/// this leads to is found by `certify`.
+constexpr double least_coefficient = 5e-7;
 
 using DepthVector = std::vector<PerLayer<double>>;
 
@@ -135,7 +135,7 @@ int node_count(const AngularComposition& composition, const DepthBox& box, std::
         chebyshev_coefficients({table.data(), along.size()}, std::array{most_emulator_terms});
     int count = most_emulator_terms;
     while (count > 1 && std::abs(coefficients[static_cast<std::size_t>(count) - 1]) < least_coefficient) --count;
-    return std::min(count + 2, most_emulator_terms);
+    return count;
 }
 
 /// Specimens of the domain by Richtmyer's low-discrepancy sequence from its number `first` on. A tenth of each range is
@@ -181,15 +181,23 @@ Wavelength computed(const AngularSolver& solver, const EmulatorDomain& domain, d
     return result;
 }
 
-/// A group with what its series refer to.
+/// A group with what its series refers to.
 struct Grouped {
     Emulator::Group group{};
-    std::vector<std::uint8_t> terms;
+    std::vector<std::uint8_t> counts;
     std::vector<float> coefficients;
+
+    [[nodiscard]] EmulatorSeries series() const {
+        return {.most = group.most, .counts = counts, .coefficients = coefficients};
+    }
 };
 
+/// The wavelengths of a group.
+using Members = std::array<const Wavelength*, emulator_lanes>;
+using Degrees = PerLayer<int>;
+
 /// The coefficient of some degrees, zero beyond the nodes of its wavelength.
-double coefficient(const Wavelength& wavelength, const std::array<int, layer_count>& degrees) {
+double coefficient(const Wavelength& wavelength, const Degrees& degrees) {
     std::size_t place = 0;
     for (std::size_t layer = 0; layer < layer_count; ++layer) {
         if (degrees[layer] >= wavelength.counts[layer]) return 0.0;
@@ -198,34 +206,46 @@ double coefficient(const Wavelength& wavelength, const std::array<int, layer_cou
     return wavelength.coefficients[place];
 }
 
-void add_terms(const std::vector<const Wavelength*>& lanes, const std::array<int, layer_count>& counts,
-               Grouped& grouped) {
-    for (int i = 0; i < counts[0]; ++i) {
-        for (int j = 0; j < counts[1]; ++j) {
-            for (int k = 0; k < counts[2]; ++k) {
-                int last = grouped.terms.empty() ? counts[3] : 0;  // the first triple tells the highest degree
-                for (int l = last; l < counts[3]; ++l) {
-                    const bool matters = std::ranges::any_of(lanes, [&](const Wavelength* wavelength) {
-                        return std::abs(coefficient(*wavelength, {i, j, k, l})) >= least_coefficient;
-                    });
-                    if (matters) last = l + 1;
-                }
-                grouped.terms.push_back(static_cast<std::uint8_t>(last));
-                for (int l = 0; l < last; ++l) {
-                    for (const Wavelength* wavelength : lanes) {
-                        grouped.coefficients.push_back(static_cast<float>(coefficient(*wavelength, {i, j, k, l})));
-                    }
-                }
-            }
+/// Whether any term matters that has these degrees in the layers up to `layer`.
+bool matters(const Members& members, const Degrees& most, Degrees degrees, std::size_t layer) {
+    if (layer + 1 == layer_count) {
+        return std::ranges::any_of(members, [&](const Wavelength* wavelength) {
+            return std::abs(coefficient(*wavelength, degrees)) >= least_coefficient;
+        });
+    }
+    for (int next = 0; next < most[layer + 1]; ++next) {
+        degrees[layer + 1] = next;
+        if (matters(members, most, degrees, layer + 1)) return true;
+    }
+    return false;
+}
+
+/// Adds the loop over the degrees of `layer` and those within, given the degrees of the layers above.
+void add_loop(const Members& members, const Degrees& most, Degrees degrees, std::size_t layer, Grouped& grouped) {
+    int count = most[layer];
+    for (; count > 0; --count) {
+        degrees[layer] = count - 1;
+        if (matters(members, most, degrees, layer)) break;
+    }
+    grouped.counts.push_back(static_cast<std::uint8_t>(count));
+    grouped.group.most[layer] = std::max(grouped.group.most[layer], count);
+    for (int degree = 0; degree < count; ++degree) {
+        degrees[layer] = degree;
+        if (layer + 1 < layer_count) {
+            add_loop(members, most, degrees, layer + 1, grouped);
+            continue;
+        }
+        for (const Wavelength* wavelength : members) {
+            grouped.coefficients.push_back(static_cast<float>(coefficient(*wavelength, degrees)));
         }
     }
 }
 
-Grouped grouped(const std::vector<const Wavelength*>& lanes) {
+Grouped grouped(const Members& members) {
     Grouped result;
-    std::array<int, layer_count> counts{};
+    Degrees most{};
     for (std::size_t lane = 0; lane < emulator_lanes; ++lane) {
-        const DepthBox& box = lanes[lane]->box;
+        const DepthBox& box = members[lane]->box;
         for (std::size_t layer = 0; layer < layer_count; ++layer) {
             const Coordinate coordinate(box, layer);
             result.group.coordinate.shift[layer][lane] = coordinate.shift;
@@ -233,33 +253,31 @@ Grouped grouped(const std::vector<const Wavelength*>& lanes) {
             result.group.coordinate.offset[layer][lane] = coordinate.offset;
             result.group.lowest[layer][lane] = box.lowest[layer];
             result.group.highest[layer][lane] = box.highest[layer];
-            counts[layer] = std::max(counts[layer], lanes[lane]->counts[layer]);
+            most[layer] = std::max(most[layer], members[lane]->counts[layer]);
         }
     }
-    add_terms(lanes, counts, result);
-    result.group.counts = {counts[0], counts[1], counts[2]};
-    result.group.term_count = static_cast<std::uint32_t>(result.terms.size());
+    add_loop(members, most, {}, 0, result);
+    result.group.count_count = result.counts.size();
     result.group.coefficient_count = result.coefficients.size();
     return result;
 }
 
 /// Finds the largest deviations on the test specimens and notes them.
-void certify(const std::vector<const Wavelength*>& lanes, Grouped& grouped) {
-    const EmulatorSeries series{
-        .counts = grouped.group.counts, .terms = grouped.terms, .coefficients = grouped.coefficients};
-    for (std::size_t upper = 0; upper < lanes[0]->test_upper.size(); ++upper) {
-        for (std::size_t lower = 0; lower < lanes[0]->test_lower.size(); ++lower) {
+void certify(const Members& members, Grouped& grouped) {
+    const EmulatorSeries series = grouped.series();
+    for (std::size_t upper = 0; upper < members[0]->test_upper.size(); ++upper) {
+        for (std::size_t lower = 0; lower < members[0]->test_lower.size(); ++lower) {
             PerLayer<Lanes<double>> depths;
             for (std::size_t lane = 0; lane < emulator_lanes; ++lane) {
                 for (std::size_t layer = 0; layer < layer_count; ++layer) {
                     depths[layer][lane] =
-                        layer < 2 ? lanes[lane]->test_upper[upper][layer] : lanes[lane]->test_lower[lower][layer];
+                        layer < 2 ? members[lane]->test_upper[upper][layer] : members[lane]->test_lower[lower][layer];
                 }
             }
             const EmulatorSums sums = sum_series(series, grouped.group.coordinate, depths);
             for (std::size_t lane = 0; lane < emulator_lanes; ++lane) {
                 const double exact =
-                    lanes[lane]->test_shares(static_cast<Eigen::Index>(upper), static_cast<Eigen::Index>(lower));
+                    members[lane]->test_shares(static_cast<Eigen::Index>(upper), static_cast<Eigen::Index>(lower));
                 grouped.group.certified_error[lane] =
                     std::max(grouped.group.certified_error[lane], std::abs(sums.value[lane] - exact));
             }
@@ -289,30 +307,30 @@ Emulator Emulator::build(const EmulatorDomain& domain) {
     tbb::parallel_for(std::size_t{0}, count,
                       [&](std::size_t i) { wavelengths[i] = computed(solver, domain, domain.wavelengths_nm[i]); });
     struct Owner {
-        std::vector<std::uint8_t> terms;
+        std::vector<std::uint8_t> counts;
         std::vector<float> coefficients;
     };
     const auto owner = std::make_shared<Owner>();
     std::vector<Grouped> groups((count + emulator_lanes - 1) / emulator_lanes);
     tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t i) {
-        std::vector<const Wavelength*> lanes;
+        Members members{};
         for (std::size_t lane = 0; lane < emulator_lanes; ++lane) {
-            lanes.push_back(&wavelengths[std::min(i * emulator_lanes + lane, count - 1)]);
+            members[lane] = &wavelengths[std::min(i * emulator_lanes + lane, count - 1)];
         }
-        groups[i] = grouped(lanes);
-        certify(lanes, groups[i]);
+        groups[i] = grouped(members);
+        certify(members, groups[i]);
     });
     std::vector<Group> plain;
     for (const Grouped& group : groups) {
         plain.push_back(group.group);
-        owner->terms.insert(owner->terms.end(), group.terms.begin(), group.terms.end());
+        owner->counts.insert(owner->counts.end(), group.counts.begin(), group.counts.end());
         owner->coefficients.insert(owner->coefficients.end(), group.coefficients.begin(), group.coefficients.end());
     }
     return Emulator({.surface_share = solver.surface_share(),
                      .wavelength_count = count,
                      .groups = std::move(plain),
                      .coefficients = owner->coefficients,
-                     .terms = owner->terms,
+                     .counts = owner->counts,
                      .owner = owner});
 }
 

@@ -24,13 +24,12 @@ struct EmulatorCoordinate {
     PerLayer<Lanes<double>> offset;
 };
 
-/// The Chebyshev series of a group: for each triple of degrees in the first three layers, the last degree running
-/// fastest, so many terms in the last layer; the coefficients of all terms in that order, those of the wavelengths of
-/// the group side by side.
+/// The Chebyshev series of a group, without its smallest terms. The degrees in the four layers are nested loops, that
+/// of the first layer outermost; a loop ends with the last degree that has a term.
 struct EmulatorSeries {
-    std::array<int, 3> counts;  ///< of degrees in stratum corneum, epidermis, papillary dermis
-    std::span<const std::uint8_t> terms;
-    std::span<const float> coefficients;
+    PerLayer<int> most;                    ///< the longest loop of each layer
+    std::span<const std::uint8_t> counts;  ///< the length of each loop, in the order in which the loops are entered
+    std::span<const float> coefficients;   ///< of all terms in their order; the wavelengths of the group side by side
 };
 
 /// A series and its derivative by each layer's optical depth, per wavelength.
