@@ -49,7 +49,7 @@ public:
     [[nodiscard]] std::size_t wavelength_count() const { return wavelength_count_; }
 
     /// The largest deviation from the angular solver, as computed at its default resolution, on a dense set of
-    /// specimens of the domain that had no part in the making: a share of the incident light.
+    /// specimens of the domain that had no part in the making, and half as much again: a share of the incident light.
     [[nodiscard]] double certified_error(std::size_t wavelength) const;
     /// The largest over all wavelengths.
     [[nodiscard]] double certified_error() const;

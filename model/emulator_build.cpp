@@ -262,8 +262,9 @@ Grouped grouped(const Members& members) {
     return result;
 }
 
-/// Finds the largest deviations on the test specimens and notes them.
+/// Finds the largest deviations on the test specimens and notes them, half as much again for what lies between.
 void certify(const Members& members, Grouped& grouped) {
+    constexpr double margin = 1.5;
     const EmulatorSeries series = grouped.series();
     for (std::size_t upper = 0; upper < members[0]->test_upper.size(); ++upper) {
         for (std::size_t lower = 0; lower < members[0]->test_lower.size(); ++lower) {
@@ -279,7 +280,7 @@ void certify(const Members& members, Grouped& grouped) {
                 const double exact =
                     members[lane]->test_shares(static_cast<Eigen::Index>(upper), static_cast<Eigen::Index>(lower));
                 grouped.group.certified_error[lane] =
-                    std::max(grouped.group.certified_error[lane], std::abs(sums.value[lane] - exact));
+                    std::max(grouped.group.certified_error[lane], margin * std::abs(sums.value[lane] - exact));
             }
         }
     }
