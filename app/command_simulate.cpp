@@ -1,9 +1,11 @@
 #include "app/commands.hpp"
 #include "app/shared_options.hpp"
 #include "fit/configuration_json.hpp"
+#include "fit/emulation.hpp"
 #include "fit/problem.hpp"
 #include "fit/report.hpp"
 #include "fit/viewing.hpp"
+#include "model/emulator_cache.hpp"
 
 namespace skinfit {
 namespace {
@@ -35,6 +37,15 @@ std::vector<Reading> readings(const Configuration& configuration, const Ensemble
     const std::vector<double> true_nm = true_wavelengths_nm(experiment, wavelengths_nm);
     (void)extinctions(true_nm, experiment.edition);  // refuses wavelengths outside the tables before any work
     if (configuration.engine == Engine::solver) return read_by_solver(experiment, wavelengths_nm);
+    if (configuration.engine == Engine::emulator) {
+        std::optional<Emulator> bottom;
+        if (experiment.base.kind != Base::Kind::hypodermis) {
+            bottom = cached_emulator(emulator_domain(configuration, Side::bottom, wavelengths_nm), cache);
+        }
+        return read_by_emulator(experiment, wavelengths_nm,
+                                cached_emulator(emulator_domain(configuration, Side::top, wavelengths_nm), cache),
+                                bottom);
+    }
     if (configuration.engine == Engine::walk) {
         return read_by_walk(experiment, wavelengths_nm, configuration.rays, configuration.seed);
     }
@@ -61,7 +72,9 @@ int run(const SimulateCommand& command) {
 void add_simulate_command(CLI::App& app, int& exit_code) {
     const auto command = std::make_shared<SimulateCommand>();
     CLI::App* const simulate = app.add_subcommand("simulate", "compute the spectrum of a described skin");
-    simulate->add_option("--engine", command->engine, "paths (recorded walks), walk (analog) or solver (no noise)");
+    simulate->add_option(
+        "--engine", command->engine,
+        "paths (recorded walks), walk (analog), solver (no noise) or emulator (the solver's, fastest)");
     simulate->add_option("--wavelengths", command->wavelengths, "nm: first:last:step as in 400:700:20, or a list");
     simulate->add_option("--rays", command->rays, "per wavelength");
     simulate->add_option("--seed", command->seed, "of the random numbers");

@@ -15,9 +15,10 @@ namespace skinfit {
 
 /// How the model is computed.
 enum class Engine {
-    paths,   ///< recorded walks: smooth in the pigments
-    walk,    ///< the analog walk: simulation only
-    solver,  ///< the angular solver: without noise, smooth in every parameter
+    paths,     ///< recorded walks: smooth in the pigments
+    walk,      ///< the analog walk: simulation only
+    solver,    ///< the angular solver: without noise, smooth in every parameter
+    emulator,  ///< the angular solver as a polynomial in what absorbs, within the bounds of the free parameters
 };
 
 /// What minimises the misfit.

@@ -5,9 +5,11 @@
 #include <cmath>
 
 #include "fit/diagnosis.hpp"
+#include "fit/emulation.hpp"
 #include "fit/inference.hpp"
 #include "fit/objective.hpp"
 #include "fit/problem.hpp"
+#include "model/emulator_cache.hpp"
 
 namespace skinfit {
 namespace {
@@ -18,7 +20,9 @@ Minimum minimise(const Objective& objective, Solver solver, std::span<const doub
 
 ForwardModel make_model(const FitProblem& problem, Engine engine, const EnsembleCache& cache) {
     if (engine == Engine::solver) return angular_solver(problem.experiment);
-    return cached_ensemble(problem.experiment.sample(), true_wavelengths_nm(problem.experiment, problem.wavelength_nm), problem.walk, cache);
+    if (engine == Engine::emulator) return cached_emulator(emulator_domain(problem), cache);
+    return cached_ensemble(problem.experiment.sample(), true_wavelengths_nm(problem.experiment, problem.wavelength_nm),
+                           problem.walk, cache);
 }
 
 /// Where to start: with an ensemble at the minimum over a small part of it, which is most of the way for little of the
@@ -109,7 +113,11 @@ FitResult fit_spectrum(const Configuration& configuration, const Spectrum& spect
     result.degrees_of_freedom = problem.wavelength_nm.size() - problem.free.size();
     result.p_value = chi2_p_value(result.chi2, result.degrees_of_freedom);
     result.median_sigma = median(problem.sigma);
-    result.monte_carlo_error = median({modelled.standard_error.begin(), modelled.standard_error.end()});
+    if (const auto* const emulator = std::get_if<Emulator>(&model)) {
+        result.emulator_error = emulator->certified_error();
+    } else {
+        result.monte_carlo_error = median({modelled.standard_error.begin(), modelled.standard_error.end()});
+    }
     result.parameters = fitted_parameters(problem, minimum, inference.uncertainty, complete);
     result.free = free_parameters(complete);
     result.correlation = inference.uncertainty.correlation;

@@ -10,29 +10,50 @@ namespace {
 
 using Index = Eigen::Index;
 
+/// The derivatives of a share by parameters that absorb, from those by the layers' optical depths.
+Eigen::RowVectorXd by_parameters(const PerLayer<double>& by_optical_depth, const Skin& skin, const Extinction& pigments,
+                                 std::span<const Parameter> parameters) {
+    Eigen::RowVectorXd by = Eigen::RowVectorXd::Zero(static_cast<Index>(parameters.size()));
+    for (Index column = 0; column < by.size(); ++column) {
+        const PerLayer<double> depth_by =
+            optical_depth_derivative(skin, pigments, parameters[static_cast<std::size_t>(column)]);
+        for (std::size_t layer = 0; layer < layer_count; ++layer)
+            by[column] += by_optical_depth[layer] * depth_by[layer];
+    }
+    return by;
+}
+
 std::vector<Light> light_of_model(const PathEnsemble& ensemble, const Experiment& experiment, Side side,
                                   const std::vector<double>& wavelengths_nm, std::span<const Parameter> parameters) {
     const Skin& skin = experiment.values.skin;
     const std::vector<Extinction> pigments =
         extinctions(true_wavelengths_nm(experiment, wavelengths_nm), experiment.edition);
     const std::vector<EnsembleResponse> responses = ensemble.respond(optical_depths(skin, pigments));
-    const auto columns = static_cast<Index>(parameters.size());
     std::vector<Light> lights;
     for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
         const Escape& escape = responses[i][side];
-        Light light{.surface = ensemble.surface_share(),
-                    .share = escape.share,
-                    .standard_error = escape.standard_error,
-                    .surface_by = Eigen::RowVectorXd::Zero(columns),
-                    .share_by = Eigen::RowVectorXd::Zero(columns)};
-        for (Index column = 0; column < columns; ++column) {
-            const PerLayer<double> depth_by =
-                optical_depth_derivative(skin, pigments[i], parameters[static_cast<std::size_t>(column)]);
-            for (std::size_t layer = 0; layer < layer_count; ++layer) {
-                light.share_by[column] += escape.by_optical_depth[layer] * depth_by[layer];
-            }
-        }
-        lights.push_back(std::move(light));
+        lights.push_back({.surface = ensemble.surface_share(),
+                          .share = escape.share,
+                          .standard_error = escape.standard_error,
+                          .surface_by = Eigen::RowVectorXd::Zero(static_cast<Index>(parameters.size())),
+                          .share_by = by_parameters(escape.by_optical_depth, skin, pigments[i], parameters)});
+    }
+    return lights;
+}
+
+std::vector<Light> light_of_model(const Emulator& emulator, const Experiment& experiment, Side /*side*/,
+                                  const std::vector<double>& wavelengths_nm, std::span<const Parameter> parameters) {
+    const Skin& skin = experiment.values.skin;
+    const std::vector<Extinction> pigments =
+        extinctions(true_wavelengths_nm(experiment, wavelengths_nm), experiment.edition);
+    const std::vector<EmulatedShare> shares = emulator.respond(optical_depths(skin, pigments));
+    std::vector<Light> lights;
+    for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
+        lights.push_back({.surface = emulator.surface_share(),
+                          .share = shares[i].share,
+                          .standard_error = emulator.certified_error(i),
+                          .surface_by = Eigen::RowVectorXd::Zero(static_cast<Index>(parameters.size())),
+                          .share_by = by_parameters(shares[i].by_optical_depth, skin, pigments[i], parameters)});
     }
     return lights;
 }

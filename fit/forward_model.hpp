@@ -6,26 +6,28 @@
 #include <vector>
 
 #include "model/angular_solver.hpp"
+#include "model/emulator.hpp"
 #include "model/path_ensemble.hpp"
 #include "model/spectrophotometer.hpp"
 
 namespace skinfit {
 
-/// What computes the light that leaves the sample: walks recorded for it, or the angular solver.
-using ForwardModel = std::variant<PathEnsemble, AngularSolver>;
+/// What computes the light that leaves the sample: walks recorded for it, the angular solver, or its emulator.
+using ForwardModel = std::variant<PathEnsemble, AngularSolver, Emulator>;
 
 /// The light of one wavelength, as shares of the incident light, and its derivatives by some parameters.
 struct Light {
     double surface;         ///< reflected by the surface
     double share;           ///< left through the side that is measured, without `surface`; a factor in a viewing cone
-    double standard_error;  ///< of `share`, Monte Carlo
+    double standard_error;  ///< of `share`: Monte Carlo, or the error for which the emulator is certified
     Eigen::RowVectorXd surface_by;
     Eigen::RowVectorXd share_by;
 };
 
 /// The light at each of the instrument's wavelengths, derivatives by `parameters`. Instrument parameters have zeros,
 /// but for the wavelength shift, by which the angular solver is differenced over 0.1 nm. A `PathEnsemble` must have
-/// been traced for the experiment; it knows no derivative by parameters that steer rays.
+/// been traced for the experiment; it knows no derivative by parameters that steer rays. The same holds for an
+/// `Emulator`, which must have been built for the side that is measured too; outside its domain InputError is thrown.
 [[nodiscard]] std::vector<Light> light_of(const ForwardModel& model, const Experiment& experiment, Side side,
                                           const std::vector<double>& wavelengths_nm,
                                           std::span<const Parameter> parameters);

@@ -15,6 +15,12 @@ std::string key(const FreeParameter& free) {
 
 void check_free(const FreeParameter& free, const Configuration& configuration) {
     const ParameterInfo& row = info(free.parameter);
+    if (row.steers && configuration.engine == Engine::emulator) {
+        throw InputError({.where = key(free),
+                          .problem = "cannot be adjusted by engine emulator",
+                          .why = "it changes where light goes, and an emulator stands for one geometry",
+                          .remedy = fmt::format("set engine=solver, or fix it (--fix {})", row.name)});
+    }
     if (row.steers && configuration.engine == Engine::paths) {
         throw InputError({.where = key(free),
                           .problem = "cannot be adjusted by engine paths",
@@ -123,7 +129,7 @@ FitProblem make_problem(const Configuration& configuration, const Spectrum& spec
         throw InputError({.where = "engine",
                           .problem = "walk cannot be fitted",
                           .why = "its result moves in steps of one ray",
-                          .remedy = "set engine=paths or engine=solver"});
+                          .remedy = "set engine=paths, engine=solver or engine=emulator"});
     }
     check_viewing_cone(configuration);
     check_wavelengths(configuration, spectrum);

@@ -40,6 +40,13 @@ std::string interval_words(const ParameterUncertainty& uncertainty, double grain
     }
 }
 
+std::string model_error_words(const FitResult& result) {
+    if (!result.emulator_error) {
+        return fmt::format("Monte Carlo error of the model: {}", monte_carlo_words(result.monte_carlo_error));
+    }
+    return fmt::format("certified error of the emulator: {:.1e}, to the angular solver", *result.emulator_error);
+}
+
 std::string parameter_row(const FittedParameter& fitted) {
     const ParameterInfo& row = info(fitted.parameter);
     const ParameterUncertainty& uncertainty = fitted.uncertainty;
@@ -168,8 +175,7 @@ std::string text_report(const FitResult& result) {
     text += fmt::format("\n{}\n", parameter_table_text(result));
     text += fmt::format("misfit: rmse {:.5f}, chi2 {:.2f} for {} degrees of freedom{}\n", result.rmse, result.chi2,
                         result.degrees_of_freedom, result.p_value ? fmt::format(" (p = {:.2g})", *result.p_value) : "");
-    text += fmt::format("noise: {}; Monte Carlo error of the model: {}\n", result.sigma_source,
-                        monte_carlo_words(result.monte_carlo_error));
+    text += fmt::format("noise: {}; {}\n", result.sigma_source, model_error_words(result));
     text += fmt::format("wavelengths: {} from {:g} to {:g} nm; values read as {}\n", result.wavelength_nm.size(),
                         result.wavelength_nm.front(), result.wavelength_nm.back(), result.unit_rule);
     return text + correlation_text(result) + uncertainty_text(result) + cross_check_text(result) + fixed_text(result) +

@@ -44,6 +44,7 @@ struct FitResult {
     std::optional<double> p_value;            ///< of chi2; none without degrees of freedom
     double median_sigma = 0.0;                ///< of the measurement
     double monte_carlo_error = 0.0;           ///< median standard error of the modelled reading
+    std::optional<double> emulator_error;     ///< largest, certified, of the share that leaves; engine emulator only
     std::vector<FittedParameter> parameters;  ///< in the order of the parameter table
     std::vector<Parameter> free;              ///< rows of `correlation`
     Eigen::MatrixXd correlation;

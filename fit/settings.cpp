@@ -14,7 +14,7 @@ namespace skinfit {
 namespace {
 
 constexpr std::array<std::string_view, 2> edition_names = {"printed", "revised"};
-constexpr std::array<std::string_view, 3> engine_names = {"paths", "walk", "solver"};
+constexpr std::array<std::string_view, 4> engine_names = {"paths", "walk", "solver", "emulator"};
 constexpr std::array<std::string_view, 2> solver_names = {"ceres", "bobyqa"};
 constexpr std::array<std::string_view, 3> uncertainty_names = {"covariance", "profile", "posterior"};
 constexpr std::array<std::string_view, 2> unit_names = {"fraction", "percent"};
@@ -217,7 +217,9 @@ std::span<const Setting> setting_table() {
     static const std::vector<Setting> settings = {
         named("edition", "which reading of the model's paper: see model/REFERENCES.md", edition_names,
               &Configuration::edition),
-        named("engine", "paths: recorded walks, smooth; walk: the analog walk, simulation only; solver: without noise",
+        named("engine",
+              "paths: recorded walks, smooth; walk: the analog walk, simulation only; solver: without noise; emulator: "
+              "the solver as a polynomial, fastest, geometry fixed",
               engine_names, &Configuration::engine),
         named("solver", "what minimises the misfit of a fit", solver_names, &Configuration::solver),
         named("uncertainty",

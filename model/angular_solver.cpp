@@ -224,6 +224,11 @@ AngularResponse AngularSolver::response(double wavelength_nm, bool with_derivati
     return response;
 }
 
+AngularComposition AngularSolver::composition(double wavelength_nm) const {
+    const Wavelength wavelength(*this, wavelength_nm);
+    return {grid_, wavelength.medium, wavelength.first.scattered, 1.0 - entry_->reflectance};
+}
+
 std::vector<double> AngularSolver::exit_shares(double wavelength_nm, Side side,
                                                std::span<const double> cosine_edges) const {
     const Wavelength wavelength(*this, wavelength_nm);

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "model/angular_composition.hpp"
 #include "model/angular_grid.hpp"
 #include "model/parameters.hpp"
 #include "model/path_ensemble.hpp"
@@ -59,6 +60,11 @@ public:
     /// cosine of the exit angle. `cosine_edges` ascend from 0 to 1; one value fewer is returned.
     [[nodiscard]] std::vector<double> exit_shares(double wavelength_nm, Side side,
                                                   std::span<const double> cosine_edges) const;
+
+    /// The share of the incident light that the surface reflects.
+    [[nodiscard]] double surface_share() const { return entry_->reflectance; }
+    /// The same sample at one wavelength, for many optical depths of its layers in place of the sample's own.
+    [[nodiscard]] AngularComposition composition(double wavelength_nm) const;
 
 private:
     /// The first interface, and the light that enters through it.

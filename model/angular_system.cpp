@@ -12,6 +12,18 @@ Eigen::ArrayXd passing(const Eigen::ArrayXd& cosine, double depth) {
 
 }  // namespace
 
+Eigen::MatrixXd run_starts(const AngularGrid& grid, const AngularMedium& medium, const RayKind& kind,
+                           const Eigen::ArrayXd& cosine, const Tabulated& polynomials) {
+    if (!in_dermis(kind.layer)) return polynomials.value;
+    const StateBlock& block = grid.spaces[kind.space].block(kind.layer, kind.heading);
+    if (!block.rayleigh) return Eigen::MatrixXd::Ones(cosine.size(), 1);
+    const Eigen::ArrayXd diffuse = passing(cosine, medium.rayleigh_depth[static_cast<std::size_t>(kind.layer)]);
+    Eigen::MatrixXd result(cosine.size(), block.size);
+    result.col(0) = diffuse;
+    result.rightCols(block.size - 1) = scaled(1.0 - diffuse) * polynomials.value * scaled(grid.rayleigh);
+    return result;
+}
+
 AngularSystem::AngularSystem(const AngularGrid& grid, const AngularMedium& medium, const AngularEntry& entry)
     : grid_(&grid), medium_(&medium), entry_(&entry), prospect_(grid.spaces.size()) {
     std::vector<Eigen::PartialPivLU<Eigen::MatrixXd>> inverse(grid.spaces.size());
@@ -58,19 +70,6 @@ Eigen::VectorXd AngularSystem::bouncing(std::size_t space) const {
             starts(kind, nodes.cosine, side.own).transpose() * reflected.matrix();
     }
     return entering;
-}
-
-/// How the chances of a ray that starts a run at a cosine are made up of the unknowns: one row per cosine.
-Eigen::MatrixXd AngularSystem::starts(const RayKind& kind, const Eigen::ArrayXd& cosine,
-                                      const Tabulated& polynomials) const {
-    if (!in_dermis(kind.layer)) return polynomials.value;
-    const StateBlock& block = grid_->spaces[kind.space].block(kind.layer, kind.heading);
-    if (!block.rayleigh) return Eigen::MatrixXd::Ones(cosine.size(), 1);
-    const Eigen::ArrayXd diffuse = passing(cosine, medium_->rayleigh_depth[static_cast<std::size_t>(kind.layer)]);
-    Eigen::MatrixXd result(cosine.size(), block.size);
-    result.col(0) = diffuse;
-    result.rightCols(block.size - 1) = scaled(1.0 - diffuse) * polynomials.value * scaled(grid_->rayleigh);
-    return result;
 }
 
 AngularSystem::Assembled AngularSystem::assemble(std::size_t space) const {

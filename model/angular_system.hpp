@@ -57,6 +57,11 @@ struct RayKind {
     Heading heading;
 };
 
+/// How the chances of rays of one kind that start a run at `cosine`, where the polynomials of their layer are
+/// `polynomials`, are made up of the unknowns of their block: one row per cosine.
+[[nodiscard]] Eigen::MatrixXd run_starts(const AngularGrid& grid, const AngularMedium& medium, const RayKind& kind,
+                                         const Eigen::ArrayXd& cosine, const Tabulated& polynomials);
+
 /// The system, solved for rays that enter the topmost layer. Refers to its arguments, which must outlive it.
 class AngularSystem {
 public:
@@ -82,7 +87,9 @@ private:
         Eigen::MatrixXd by_rayleigh_depth;
     };
     [[nodiscard]] Eigen::MatrixXd starts(const RayKind& kind, const Eigen::ArrayXd& cosine,
-                                         const Tabulated& polynomials) const;
+                                         const Tabulated& polynomials) const {
+        return run_starts(*grid_, *medium_, kind, cosine, polynomials);
+    }
     [[nodiscard]] Prospects prospects(const RayKind& kind, const Eigen::ArrayXd& cosine,
                                       const Tabulated& polynomials) const;
     [[nodiscard]] Prospects prospects_beyond(std::size_t space, const AngularSide& side) const;

@@ -5,8 +5,6 @@
 #include <unistd.h>
 #include <xxhash.h>
 
-#include <algorithm>
-#include <cstdlib>
 #include <span>
 
 #include "core/input_error.hpp"
@@ -14,8 +12,6 @@
 
 namespace skinfit {
 namespace {
-
-constexpr const char* file_suffix = ".paths";
 
 /// A few rays of the recording asked for, hashed: any change to the walk, its tables or its random numbers shows here,
 /// so that what an earlier version of the program has kept is never mistaken for this one's.
@@ -39,28 +35,6 @@ void require_memory(std::size_t wavelengths, std::uint64_t rays) {
          .why =
              fmt::format("engine paths keeps every path, and this machine has {:.0f} GB of memory", memory / gigabyte),
          .remedy = "lower rays, take fewer wavelengths, or use engine walk or solver"});
-}
-
-/// Removes the longest unused files until `limit_bytes` holds the rest.
-void make_room(const std::filesystem::path& folder, std::uint64_t limit_bytes) {
-    struct File {
-        std::filesystem::path path;
-        std::filesystem::file_time_type used;
-        std::uint64_t bytes;
-    };
-    std::vector<File> files;
-    std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-        if (entry.path().extension() != file_suffix) continue;
-        const File file{entry.path(), entry.last_write_time(error), entry.file_size(error)};
-        if (!error) files.push_back(file);
-    }
-    std::ranges::sort(files, std::ranges::greater{}, &File::used);
-    std::uint64_t kept = 0;
-    for (const File& file : files) {
-        kept += file.bytes;
-        if (kept > limit_bytes) std::filesystem::remove(file.path, error);
-    }
 }
 
 }  // namespace
@@ -87,41 +61,8 @@ PathEnsemble cached_ensemble(const Sample& sample, const std::vector<double>& wa
         return PathEnsemble::trace(sample, wavelengths_nm, options);
     };
     if (!cache.folder) return trace();
-    const std::string key = ensemble_key(sample, wavelengths_nm, options);
-    const XXH128_hash_t hash = XXH3_128bits(key.data(), key.size());
-    const std::filesystem::path path =
-        *cache.folder / fmt::format("{:016x}{:016x}{}", hash.high64, hash.low64, file_suffix);
-    std::error_code error;
-    if (std::filesystem::exists(path, error)) {
-        auto stored = read_ensemble_file(path, key);
-        if (auto* const ensemble = std::get_if<PathEnsemble>(&stored)) {
-            std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now(), error);
-            return *ensemble;
-        }
-        cache.warn(fmt::format("{}: the cached ensemble is {}; it is traced again and replaced", path.string(),
-                               std::get<Unusable>(stored).reason));
-    }
-    PathEnsemble ensemble = trace();
-    try {
-        std::filesystem::create_directories(*cache.folder, error);
-        write_ensemble_file(path, key, ensemble);
-        make_room(*cache.folder, cache.limit_bytes);
-    } catch (const InputError& problem) {
-        cache.warn(fmt::format("the ensemble is not kept for the next run: {}", problem.what()));
-    }
-    return ensemble;
-}
-
-std::optional<std::filesystem::path> default_cache_folder() {
-    const auto variable = [](const char* name) -> std::optional<std::filesystem::path> {
-        const char* const value = std::getenv(name);
-        if (value == nullptr || *value == '\0') return std::nullopt;
-        return value;
-    };
-    if (const auto folder = variable("SKINFIT_CACHE_DIR")) return folder;
-    if (const auto folder = variable("XDG_CACHE_HOME")) return *folder / "skinfit";
-    if (const auto folder = variable("HOME")) return *folder / ".cache" / "skinfit";
-    return std::nullopt;
+    return cached<PathEnsemble>(cache, ensemble_key(sample, wavelengths_nm, options), "paths", trace,
+                                read_ensemble_file, write_ensemble_file);
 }
 
 }  // namespace skinfit

@@ -87,6 +87,28 @@ std::vector<Reading> read_by_solver(const Experiment& experiment, const std::vec
     return readings;
 }
 
+std::vector<Reading> read_by_emulator(const Experiment& experiment, const std::vector<double>& wavelengths_nm,
+                                      const Emulator& top, const std::optional<Emulator>& bottom) {
+    const Instrument& instrument = experiment.values.instrument;
+    const double surface = top.surface_share();
+    const std::vector<PerLayer<double>> depths = optical_depths(
+        experiment.values.skin, extinctions(true_wavelengths_nm(experiment, wavelengths_nm), experiment.edition));
+    const std::vector<EmulatedShare> reflected = top.respond(depths);
+    const std::vector<EmulatedShare> transmitted =
+        bottom ? bottom->respond(depths) : std::vector<EmulatedShare>(depths.size());
+    std::vector<Reading> readings;
+    for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
+        const double collected = reflected[i].share + surface_weight(experiment) * surface;
+        readings.push_back({.wavelength_nm = wavelengths_nm[i],
+                            .reflectance = instrument.scale * collected + instrument.offset,
+                            .reflectance_se = instrument.scale * top.certified_error(i),
+                            .transmittance = instrument.scale * transmitted[i].share + instrument.offset,
+                            .transmittance_se = bottom ? instrument.scale * bottom->certified_error(i) : 0.0,
+                            .surface_reflectance = surface});
+    }
+    return readings;
+}
+
 std::vector<Reading> read_by_paths(const Experiment& experiment, const std::vector<double>& wavelengths_nm,
                                    const PathEnsemble& ensemble) {
     assert(!experiment.viewing_cone_rad);

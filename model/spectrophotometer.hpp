@@ -7,6 +7,7 @@
 #include "core/geometry.hpp"
 #include "model/angular_solver.hpp"
 #include "model/chromophores.hpp"
+#include "model/emulator.hpp"
 #include "model/parameters.hpp"
 #include "model/path_ensemble.hpp"
 #include "model/skin.hpp"
@@ -63,6 +64,12 @@ struct Reading {
 /// The readings by the angular solver: without noise, so that all standard errors are zero.
 [[nodiscard]] std::vector<Reading> read_by_solver(const Experiment& experiment,
                                                   const std::vector<double>& wavelengths_nm);
+
+/// The readings by emulators of this experiment at `true_wavelengths_nm`, one for each side through which light leaves;
+/// their standard errors are the errors for which the emulators are certified. Throws InputError outside their domains.
+[[nodiscard]] std::vector<Reading> read_by_emulator(const Experiment& experiment,
+                                                    const std::vector<double>& wavelengths_nm, const Emulator& top,
+                                                    const std::optional<Emulator>& bottom);
 
 /// The layers' optical depths at each wavelength at which the model is evaluated.
 [[nodiscard]] std::vector<PerLayer<double>> optical_depths(const Skin& skin,

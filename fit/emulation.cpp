@@ -1,0 +1,43 @@
+#include "fit/emulation.hpp"
+
+#include "fit/reading.hpp"
+
+namespace skinfit {
+namespace {
+
+bool belongs_to_instrument(Parameter parameter) {
+    return parameter >= Parameter::scale;
+}
+
+}  // namespace
+
+EmulatorDomain emulator_domain(const FitProblem& problem) {
+    EmulatorDomain domain{.sample = problem.experiment.sample(),
+                          .incidence_rad = problem.experiment.incidence_rad,
+                          .side = measured_side(problem.quantity),
+                          .wavelengths_nm = true_wavelengths_nm(problem.experiment, problem.wavelength_nm),
+                          .ranges = {}};
+    for (const FreeParameter& free : problem.free) {
+        if (belongs_to_instrument(free.parameter)) continue;
+        domain.ranges.push_back({free.parameter, free.bounds.lower, free.bounds.upper});
+    }
+    return domain;
+}
+
+EmulatorDomain emulator_domain(const Configuration& configuration, Side side,
+                               const std::vector<double>& wavelengths_nm) {
+    const Experiment experiment = make_experiment(configuration, {});
+    EmulatorDomain domain{.sample = experiment.sample(),
+                          .incidence_rad = experiment.incidence_rad,
+                          .side = side,
+                          .wavelengths_nm = true_wavelengths_nm(experiment, wavelengths_nm),
+                          .ranges = {}};
+    for (const Parameter parameter : free_parameters(configuration)) {
+        if (belongs_to_instrument(parameter)) continue;
+        const Bounds& bounds = configuration.bounds[static_cast<std::size_t>(parameter)];
+        domain.ranges.push_back({parameter, bounds.lower, bounds.upper});
+    }
+    return domain;
+}
+
+}  // namespace skinfit

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "fit/problem.hpp"
+#include "model/emulator.hpp"
+
+namespace skinfit {
+
+/// What an emulator must cover for a fit: the free parameters that absorb, within their bounds.
+[[nodiscard]] EmulatorDomain emulator_domain(const FitProblem& problem);
+
+/// The same for a simulation at `wavelengths_nm`, as the instrument states them.
+[[nodiscard]] EmulatorDomain emulator_domain(const Configuration& configuration, Side side,
+                                             const std::vector<double>& wavelengths_nm);
+
+}  // namespace skinfit

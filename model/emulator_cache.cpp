@@ -1,0 +1,102 @@
+#include "model/emulator_cache.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <xxhash.h>
+
+#include <array>
+#include <cstring>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "core/file.hpp"
+
+// Layout of the data: Header, groups, coefficients, counts.
+namespace skinfit {
+namespace {
+
+struct Header {
+    double surface_share;
+    std::uint64_t wavelengths;
+    std::uint64_t groups;
+    std::uint64_t coefficients;
+    std::uint64_t counts;
+};
+static_assert(std::is_trivially_copyable_v<Header> && std::is_trivially_copyable_v<Emulator::Group>);
+
+constexpr std::string_view format = "skinfit emul. 1\n";
+
+/// Solving even one wavelength would take longer than a warm start may.
+std::uint64_t program_fingerprint() {
+    static const std::uint64_t fingerprint = [] {
+        const std::string program = read_file("/proc/self/exe");
+        return XXH3_64bits(program.data(), program.size());
+    }();
+    return fingerprint;
+}
+
+}  // namespace
+
+std::string emulator_key(const EmulatorDomain& domain) {
+    const Sample& sample = domain.sample;
+    const bool has_index = sample.base.kind == Base::Kind::index;
+    // Hexadecimal floating point: exact.
+    std::string key =
+        fmt::format("program {:x}; edition {}; layers {}; base {} {:a}; incidence {:a}; side {}; wavelengths {:a};",
+                    program_fingerprint(), sample.edition == Edition::printed ? "printed" : "revised", sample.layers,
+                    static_cast<int>(sample.base.kind), has_index ? sample.base.refractive_index : 0.0,
+                    domain.incidence_rad, static_cast<int>(domain.side), fmt::join(domain.wavelengths_nm, " "));
+    ParameterValues values{.skin = sample.skin, .instrument = {}};
+    for (const ParameterRange& range : domain.ranges) {
+        key += fmt::format(" {} {:a} to {:a}", info(range.parameter).name, range.lower, range.upper);
+        value_of(values, range.parameter) = 0.0;  // without effect
+    }
+    values.skin.fold_aspect_ratio = 0.0;  // without effect on shares
+    for (const ParameterInfo& row : parameter_table()) key += fmt::format(" {:a}", value_of(values, row.parameter));
+    return key;
+}
+
+void write_emulator_file(const std::filesystem::path& path, std::string_view key, const Emulator& emulator) {
+    const Emulator::Parts parts = emulator.parts();
+    const Header header{.surface_share = parts.surface_share,
+                        .wavelengths = parts.wavelength_count,
+                        .groups = parts.groups.size(),
+                        .coefficients = parts.coefficients.size(),
+                        .counts = parts.counts.size()};
+    const std::array bytes = {bytes_of(std::span<const Header>(&header, 1)),
+                              bytes_of(std::span<const Emulator::Group>(parts.groups)), bytes_of(parts.coefficients),
+                              bytes_of(parts.counts)};
+    write_stored_file(path, format, key, bytes);
+}
+
+std::variant<Emulator, Unusable> read_emulator_file(const std::filesystem::path& path, std::string_view key) {
+    const auto stored = read_stored_file(path, format, key);
+    if (const auto* const unusable = std::get_if<Unusable>(&stored)) return *unusable;
+    const auto& [bytes, owner] = std::get<StoredData>(stored);
+    Header header{};
+    std::memcpy(&header, bytes.data(), sizeof header);
+    std::vector<Emulator::Group> groups(header.groups);
+    const char* const first_group = bytes.data() + sizeof header;
+    std::memcpy(groups.data(), first_group, groups.size() * sizeof groups[0]);
+    const char* const first_coefficient = first_group + groups.size() * sizeof groups[0];
+    const char* const first_count = first_coefficient + header.coefficients * sizeof(float);
+    return Emulator({.surface_share = header.surface_share,
+                     .wavelength_count = header.wavelengths,
+                     .groups = std::move(groups),
+                     .coefficients = {reinterpret_cast<const float*>(first_coefficient), header.coefficients},
+                     .counts = {reinterpret_cast<const std::uint8_t*>(first_count), header.counts},
+                     .owner = owner});
+}
+
+Emulator cached_emulator(const EmulatorDomain& domain, const DiskCache& cache) {
+    const auto build = [&] {
+        cache.inform(fmt::format("building the emulator of {} wavelengths", domain.wavelengths_nm.size()));
+        return Emulator::build(domain);
+    };
+    if (!cache.folder) return build();
+    return cached<Emulator>(cache, emulator_key(domain), "emulator", build, read_emulator_file, write_emulator_file);
+}
+
+}  // namespace skinfit
