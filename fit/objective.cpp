@@ -38,6 +38,12 @@ Objective::Modelled Objective::model(std::span<const double> values) const {
     return modelled;
 }
 
+Misfit Objective::misfit(std::span<const double> values) const {
+    const Modelled modelled = model(values);
+    const Eigen::Map<const Eigen::VectorXd> sigma(problem_->sigma.data(), modelled.reading.size());
+    return {.residual = residuals(modelled.reading), .jacobian = sigma.cwiseInverse().asDiagonal() * modelled.jacobian};
+}
+
 Eigen::VectorXd Objective::residuals(const Eigen::VectorXd& reading) const {
     Eigen::VectorXd residuals(reading.size());
     for (Row row = 0; row < reading.size(); ++row) {

@@ -9,6 +9,13 @@
 
 namespace skinfit {
 
+/// What is to be minimised, as a least-squares problem: cost = residual.squaredNorm(), which is -2 log of the posterior
+/// density up to a constant.
+struct Misfit {
+    Eigen::VectorXd residual;  ///< of the data, whitened, then of the priors
+    Eigen::MatrixXd jacobian;  ///< residuals x free parameters
+};
+
 /// The misfit of one problem as a function of its free parameters, smooth and with exact derivatives.
 class Objective {
 public:
@@ -26,6 +33,10 @@ public:
         Eigen::VectorXd standard_error;  ///< of `reading`, Monte Carlo
     };
     [[nodiscard]] Modelled model(std::span<const double> values) const;
+
+    /// All residuals at values of the free parameters, and their derivatives. Whatever minimises or estimates
+    /// uncertainty uses this.
+    [[nodiscard]] Misfit misfit(std::span<const double> values) const;
 
     /// (modelled - measured) / sigma of a reading.
     [[nodiscard]] Eigen::VectorXd residuals(const Eigen::VectorXd& reading) const;

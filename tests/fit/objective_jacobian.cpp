@@ -112,6 +112,18 @@ TEST(ObjectiveJacobian, IsZeroWhereAParameterHasNoEffect) {
     EXPECT_EQ(jacobian.col(1).cwiseAbs().maxCoeff(), 0.0);
 }
 
+TEST(Objective, MisfitIsTheReadingAgainstTheMeasurementInSigmas) {
+    Configuration configuration = with_free(quick_configuration(), {Parameter::melanosome_fraction, Parameter::scale});
+    configuration.noise = 0.25;  // a power of two: division by it is exact
+    const Task task(configuration, modelled_spectrum(configuration, grid_nm(400, 700, 50)));
+    const std::vector<double> values = {0.1, 1.1};
+    const Misfit misfit = task.objective.misfit(values);
+    const Objective::Modelled modelled = task.objective.model(values);
+    EXPECT_EQ(misfit.residual, task.objective.residuals(modelled.reading));
+    EXPECT_EQ(misfit.jacobian, 4.0 * modelled.jacobian);
+    EXPECT_EQ(misfit.residual.squaredNorm(), task.objective.chi2(values));
+}
+
 TEST(Objective, BatchesAverageToTheReading) {
     Configuration configuration = with_free(quick_configuration(), {Parameter::melanosome_fraction});
     configuration.rays = 32 * 100;  // batches of equal size: the plain mean
