@@ -81,11 +81,12 @@ void add_fit_command(CLI::App& app, int& exit_code) {
         ->expected(1)
         ->take_all();
     fit->add_option("--fix", command->fix, "hold these parameters")->type_name("NAME,NAME")->expected(1)->take_all();
-    fit->add_option("--solver", command->solver, "ceres (exact derivatives) or bobyqa (none)");
-    fit->add_flag("--cross-check", command->cross_check, "fit by the other solver too and compare");
     fit->add_option("--uncertainty", command->uncertainty,
                     "what intervals come from: covariance, profile (right at bounds) or posterior");
     fit->add_option("--samples", command->samples, "write the draws of the posterior there, as CSV")->type_name("FILE");
+    fit->add_option("--solver", command->solver,
+                    "ceres (exact derivatives), slsqp (the same), bobyqa, sbplx (none), crs2 (global)");
+    fit->add_flag("--cross-check", command->cross_check, "fit by the other solvers too and compare");
     add_shared_options(*fit, command->shared, {"text", "json"});
     fit->footer("Exit code 0: trustworthy; 1: a result with a warning; 2: bad input; 3: internal error.");
     fit->callback([command, &exit_code] { exit_code = run(*command); });

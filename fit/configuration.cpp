@@ -4,6 +4,10 @@
 
 namespace skinfit {
 
+double default_loss_scale(Loss loss) {
+    return loss == Loss::cauchy ? 2.385 : 1.345;
+}
+
 Configuration default_configuration() {
     Configuration configuration;
     for (const ParameterInfo& info : parameter_table()) {

@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/geometry.hpp"
+#include "fit/derived.hpp"
 #include "measurements/text_reader.hpp"
 #include "model/parameters.hpp"
 #include "model/skin.hpp"
@@ -24,8 +26,12 @@ enum class Engine {
 /// What minimises the misfit.
 enum class Solver {
     ceres,   ///< trust region with the exact Jacobian
-    bobyqa,  ///< derivative-free, NLopt
+    bobyqa,  ///< quadratic model without derivatives, NLopt
+    sbplx,   ///< simplices in subspaces, without derivatives, NLopt
+    slsqp,   ///< sequential quadratic programming with the exact gradient, NLopt
+    crs2,    ///< controlled random search over the whole box, then bobyqa, NLopt
 };
+inline constexpr std::size_t solver_count = 5;
 
 /// Where the intervals of a fit come from.
 enum class UncertaintyMethod {
@@ -34,10 +40,51 @@ enum class UncertaintyMethod {
     posterior,   ///< Markov chain Monte Carlo
 };
 
-/// Limits of a free parameter.
+/// Limits of a free parameter, or of a range.
 struct Bounds {
     double lower;
     double upper;
+};
+
+/// What is known of a quantity beside the spectrum: its density, with respect to the quantity itself.
+struct NormalPrior {
+    double mean;
+    double sigma;  ///< above 0
+};
+struct LogNormalPrior {
+    double median;     ///< above 0
+    double sigma_log;  ///< standard deviation of the natural logarithm, above 0
+};
+/// Proportional to x^(a-1) (1-x)^(b-1) on (0, 1).
+struct BetaPrior {
+    double a;  ///< above 1: the density has one maximum, inside
+    double b;  ///< above 1
+};
+using Prior = std::variant<NormalPrior, LogNormalPrior, BetaPrior>;
+
+/// How a residual counts.
+enum class Loss {
+    squares,  ///< its square
+    huber,    ///< linearly beyond the scale
+    cauchy,   ///< logarithmically beyond the scale
+};
+
+/// How the correlation of the model's departure from real skin falls with distance in wavelength.
+enum class Kernel { squared_exponential, matern_3_2 };
+
+/// The model's departure from real skin, a Gaussian process over wavelength. Real skin, five pigments fitted, departs
+/// smoothly by 0.005-0.01; the length is that of the bends of fitted residuals, which are as wide as a haemoglobin
+/// band.
+struct Discrepancy {
+    double sigma = 0.005;  ///< standard deviation, fraction
+    double length_nm = 30;
+    Kernel kernel = Kernel::squared_exponential;
+};
+
+/// How much the squared residuals of a range of wavelengths count.
+struct Weight {
+    Bounds range_nm;  ///< both ends included
+    double weight;    ///< above 0
 };
 
 /// Everything a user can set. What is optional and unset is taken from the measured file, else from
@@ -61,7 +108,15 @@ struct Configuration {
     double wavelength_min_nm = 400;          ///< of a fit
     double wavelength_max_nm = 700;          ///< of a fit
     double noise = 0.006;                    ///< standard uncertainty of a value where the file states none, fraction
-    ParameterValues values;                  ///< fixed values, and starts of free parameters
+    std::vector<Bounds> exclude_nm;          ///< ranges of wavelengths a fit leaves out, both ends included
+    std::vector<Weight> weights;             ///< 1 elsewhere
+    Loss loss = Loss::squares;
+    std::optional<double> loss_scale;  ///< sigmas; unset: `default_loss_scale`
+    std::optional<Discrepancy> discrepancy;
+    std::uint64_t starts = 8;  ///< of a fit: the configured one, and points spread over the bounds
+    std::array<std::optional<Prior>, parameter_count> priors{};        ///< unset: uniform within the bounds
+    std::array<std::optional<Prior>, derived_count> derived_priors{};  ///< unset: none
+    ParameterValues values;                                            ///< fixed values, and starts of free parameters
     std::array<bool, parameter_count> free{};
     std::array<Bounds, parameter_count> bounds{};
 };
@@ -73,6 +128,10 @@ inline constexpr Specular default_specular = Specular::included;
 inline constexpr double default_incidence_deg_with_cone = 45.0;
 inline constexpr Specular default_specular_with_cone = Specular::excluded;
 inline constexpr Quantity default_quantity = Quantity::reflectance;
+
+/// The scale of `loss` in sigmas at which a fit to normal noise keeps 95 % of the efficiency of least squares
+/// [HOLLAND77].
+[[nodiscard]] double default_loss_scale(Loss loss);
 
 /// [KA04, Table 1], five free pigment parameters, 400-700 nm; noise: the median repeat scatter of [COOKSEY17].
 [[nodiscard]] Configuration default_configuration();

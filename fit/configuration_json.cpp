@@ -80,10 +80,10 @@ void read_free(Configuration& configuration, const Json& json, const std::string
     for (const Json& name : json) configuration = with_freedom(configuration, name.get<std::string>(), true, where);
 }
 
-/// The value of "key=value": JSON where it reads as a JSON scalar, else a number or a word.
-Json scalar(std::string_view text) {
+/// The value of "key=value": JSON where it reads as a number, null, a list or an object, else a number or a word.
+Json assigned_value(std::string_view text) {
     const Json json = Json::parse(text, nullptr, false);
-    if (json.is_number() || json.is_null()) return json;
+    if (json.is_number() || json.is_null() || json.is_structured()) return json;
     const std::optional<double> number = parse_number(text);
     if (number && std::isfinite(*number)) return *number;
     return std::string(text);
@@ -129,7 +129,7 @@ Configuration configured_by_text(const Configuration& configuration, std::string
 
 Configuration configured_by_word(Configuration configuration, std::string_view key, std::string_view text,
                                  const std::string& where) {
-    const Json value = scalar(text);
+    const Json value = assigned_value(text);
     if (const std::optional<Parameter> parameter = find_parameter(key)) {
         read_parameter(configuration, info(*parameter), value, where);
         return configuration;

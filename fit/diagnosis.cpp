@@ -3,28 +3,60 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace skinfit {
 namespace {
 
 constexpr double improbable = 1e-3;
 constexpr double monte_carlo_share = 0.5;  // of the noise
-constexpr double better_chi2 = 1e-3;
+constexpr double better_cost = 1e-3;
+constexpr double almost_as_well = 3.84;  // of the cost: 95 % of chi-square with one degree of freedom
 constexpr double different_sigmas = 0.1;
 constexpr double mixed = 1.01;        // R-hat, [VEHTARI21]
 constexpr double enough_draws = 400;  // effective, [VEHTARI21]
 
 void judge_misfit(const FitResult& result, std::vector<std::string>& reasons) {
-    if (!result.p_value) {
+    const std::size_t wavelengths = result.wavelength_nm.size();
+    if (wavelengths < result.free.size()) {
+        reasons.push_back(fmt::format(
+            "FEWER WAVELENGTHS THAN PARAMETERS: {} for {}, so the priors decide part of the answer; measure "
+            "more wavelengths or fix parameters",
+            wavelengths, result.free.size()));
+    } else if (!result.p_value) {
         reasons.emplace_back(
             "NO DEGREES OF FREEDOM: as many parameters as wavelengths, so nothing tests the model; measure more "
             "wavelengths or fix parameters");
-    } else if (*result.p_value < improbable) {
+    }
+    if (!result.p_value) return;
+    if (*result.p_value < improbable) {
         reasons.push_back(
-            fmt::format("MISFIT beyond the noise: chi2 {:.1f} for {} degrees of freedom (p = {:.1g}), rmse {:.4f} "
+            fmt::format("MISFIT beyond the noise: chi2 {:.1f} for {:.3g} degrees of freedom (p = {:.1g}), rmse {:.4f} "
                         "against a noise of "
                         "{:.4f}; check geometry and specular, free scale or other parameters, or state a larger noise",
                         result.chi2, result.degrees_of_freedom, *result.p_value, result.rmse, result.median_sigma));
+    }
+}
+
+void judge_runs(const FitResult& result, std::vector<std::string>& reasons) {
+    if (!result.runs_p_value || *result.runs_p_value >= improbable) return;
+    reasons.push_back(
+        fmt::format("RESIDUALS IN RUNS: they change sign too rarely for noise that is independent from wavelength to "
+                    "wavelength (p = {:.1g}), so the model departs smoothly and sigmas are too small; set discrepancy, "
+                    "or free a parameter that may be missing",
+                    *result.runs_p_value));
+}
+
+void judge_minima(const FitResult& result, std::vector<std::string>& reasons) {
+    for (std::size_t i = 1; i < result.minima.size(); ++i) {
+        const Minimum& other = result.minima[i].minimum;
+        if (!other.converged || other.cost - result.cost > almost_as_well) continue;
+        const std::optional<double> difference = largest_difference_in_sigmas(result, other);
+        reasons.push_back(fmt::format(
+            "SECOND MINIMUM: other values of the parameters, up to {:.2g} sigma away, explain the spectrum "
+            "almost as well (cost {:.6g} against {:.6g}); see the list of minima, and fix or state priors on "
+            "what you know",
+            difference.value_or(0.0), other.cost, result.cost));
     }
 }
 
@@ -72,13 +104,14 @@ void judge_sampling(const FitResult& result, std::vector<std::string>& reasons) 
 
 void judge_solvers(const FitResult& result, std::vector<std::string>& reasons) {
     for (const SolverAnswer& other : result.cross_check) {
-        const double gain = result.chi2 - other.minimum.chi2;
+        const double gain = result.cost - other.minimum.cost;
         const std::optional<double> difference = largest_difference_in_sigmas(result, other.minimum);
-        if (gain > better_chi2 || (difference && *difference > different_sigmas)) {
+        const bool as_good = std::abs(gain) <= better_cost;
+        if (gain > better_cost || (as_good && difference && *difference > different_sigmas)) {
             reasons.push_back(fmt::format(
-                "SOLVERS DISAGREE: another solver ended at chi2 {:.6g} instead of {:.6g}, {:.2g} sigma away; start "
-                "elsewhere with --set, or fix parameters that trade against each other",
-                other.minimum.chi2, result.chi2, difference.value_or(0.0)));
+                "SOLVERS DISAGREE: another solver ended at cost {:.6g} instead of {:.6g}, {:.2g} sigma away; set more "
+                "starts, or fix parameters that trade against each other",
+                other.minimum.cost, result.cost, difference.value_or(0.0)));
         }
     }
 }
@@ -88,11 +121,14 @@ void judge_solvers(const FitResult& result, std::vector<std::string>& reasons) {
 Diagnosis diagnose(const FitResult& result) {
     if (!result.answer.minimum.converged) {
         return {.verdict = Verdict::failed,
-                .reasons = {fmt::format("NOT CONVERGED: {}; start elsewhere with --set, or fix parameters",
-                                        result.answer.minimum.termination)}};
+                .reasons = {
+                    fmt::format("NOT CONVERGED: {}; try another solver, start elsewhere with --set, or fix parameters",
+                                result.answer.minimum.termination)}};
     }
     std::vector<std::string> reasons;
     judge_misfit(result, reasons);
+    judge_runs(result, reasons);
+    judge_minima(result, reasons);
     judge_parameters(result, reasons);
     if (result.monte_carlo_error > monte_carlo_share * result.median_sigma) {
         reasons.push_back(

@@ -13,12 +13,18 @@ struct Diagnosis {
     std::vector<std::string> reasons;  ///< `<what>; <what to do>`
 };
 
-/// Judges a result by its other fields:
-/// failed where the solver did not converge; suspect where chi2 is improbable under the noise (p below 0.001), where a
-/// free parameter lies at a bound or is not identifiable, where the Monte Carlo error of the reading exceeds half the
-/// noise, where no degree of freedom is left, where profiling met a better minimum, where the chains of a posterior
-/// have not mixed (R-hat not below 1.01 or fewer than 400 effective draws) or diverged, or where another solver found a
-/// better or a different minimum (chi2 lower by more than 1e-3, or a parameter more than 0.1 sigma away).
+/// Judges a result by its other fields.
+/// Failed where the cost could still fall (`Minimum::converged`): a flat direction is no failure.
+/// Suspect where
+///   chi2 is improbable under noise and discrepancy (p below 0.001), or no degree of freedom is left to test it;
+///   the residuals change sign improbably rarely (p below 0.001);
+///   another minimum costs at most 3.84 more;
+///   a free parameter lies at a bound or is not identifiable;
+///   the Monte Carlo error of the reading exceeds half the noise;
+///   another solver found a cost lower by more than 1e-3, or the same cost with a parameter more than 0.1 sigma away;
+///   there are fewer wavelengths than free parameters;
+///   profiling met a better minimum;
+///   the chains of a posterior have not mixed (R-hat not below 1.01, or fewer than 400 effective draws) or diverged.
 [[nodiscard]] Diagnosis diagnose(const FitResult& result);
 
 }  // namespace skinfit

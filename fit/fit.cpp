@@ -1,22 +1,26 @@
 #include "fit/fit.hpp"
 
+#include <fmt/format.h>
+
+#include <Eigen/QR>
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
+#include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "fit/diagnosis.hpp"
 #include "fit/emulation.hpp"
 #include "fit/inference.hpp"
+#include "fit/multistart.hpp"
 #include "fit/objective.hpp"
+#include "fit/prior_json.hpp"
 #include "fit/problem.hpp"
+#include "fit/runs_test.hpp"
 #include "model/emulator_cache.hpp"
 
 namespace skinfit {
 namespace {
-
-Minimum minimise(const Objective& objective, Solver solver, std::span<const double> start) {
-    return solver == Solver::ceres ? minimise_by_ceres(objective, start) : minimise_by_bobyqa(objective, start);
-}
 
 ForwardModel make_model(const FitProblem& problem, Engine engine, const EnsembleCache& cache) {
     if (engine == Engine::solver) return angular_solver(problem.experiment);
@@ -25,13 +29,62 @@ ForwardModel make_model(const FitProblem& problem, Engine engine, const Ensemble
                            problem.walk, cache);
 }
 
-/// Where to start: with an ensemble at the minimum over a small part of it, which is most of the way for little of the
-/// cost; else at the problem's starts.
-std::vector<double> approach(const FitProblem& problem, const ForwardModel& model, Solver solver) {
+/// An approximation that costs a small part of `model`: a few of the recorded rays, or a coarser grid of angles; the
+/// emulator is cheap itself.
+ForwardModel cheap_model(const FitProblem& problem, const ForwardModel& model) {
     constexpr std::uint64_t few_rays = 3000;
-    const auto* const ensemble = std::get_if<PathEnsemble>(&model);
-    if (ensemble == nullptr || solver != Solver::ceres) return starts(problem);
-    return minimise_by_ceres(Objective(problem, ensemble->with_about(few_rays)), starts(problem)).values;
+    if (const auto* const ensemble = std::get_if<PathEnsemble>(&model)) return ensemble->with_about(few_rays);
+    if (std::holds_alternative<Emulator>(model)) return model;
+    return angular_solver(problem.experiment, AngularResolution::for_accuracy(1e-3));
+}
+
+/// The minima that one solver finds, and how long it took.
+struct Search {
+    std::vector<DistinctMinimum> minima;
+    double seconds;
+};
+
+Search search(const Objective& cheap, const Objective& objective, Solver solver, std::uint64_t count) {
+    const auto begin = std::chrono::steady_clock::now();
+    std::vector<DistinctMinimum> minima = distinct_minima(cheap, objective, solver, count);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    return {.minima = std::move(minima), .seconds = elapsed.count()};
+}
+
+/// Of each other solver, from the configured start.
+std::vector<SolverAnswer> other_answers(const Objective& cheap, const Objective& objective,
+                                        const Configuration& configuration) {
+    std::vector<SolverAnswer> answers;
+    for (std::size_t i = 0; i < solver_count; ++i) {
+        const auto solver = static_cast<Solver>(i);
+        if (solver == configuration.solver) continue;
+        Search other = search(cheap, objective, solver, 1);
+        answers.push_back(
+            {.solver = solver, .minimum = std::move(other.minima.front().minimum), .seconds = other.seconds});
+    }
+    return answers;
+}
+
+std::vector<std::string> priors_in_words(const FitProblem& problem) {
+    std::vector<std::string> words;
+    for (const FreeParameter& free : problem.free) {
+        if (free.prior) words.push_back(fmt::format("{}: {}", info(free.parameter).name, in_words(*free.prior)));
+    }
+    for (const DerivedPrior& derived : problem.derived_priors) {
+        words.push_back(fmt::format("{}: {}", derived_table()[static_cast<std::size_t>(derived.quantity)].name,
+                                    in_words(derived.prior)));
+    }
+    return words;
+}
+
+/// `FitResult::degrees_of_freedom`: the trace of one minus the matrix that maps the data to the fitted data.
+double degrees_of_freedom(const Objective& objective, const Minimum& minimum) {
+    const auto wavelengths = static_cast<Eigen::Index>(objective.wavelength_count());
+    const auto free = static_cast<Eigen::Index>(objective.free_count());
+    if (objective.residual_count() == objective.wavelength_count()) return static_cast<double>(wavelengths - free);
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(objective.misfit(minimum.values).jacobian);
+    const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(qr.rows(), free);
+    return static_cast<double>(wavelengths) - q.topRows(wavelengths).squaredNorm();
 }
 
 std::vector<FittedParameter> fitted_parameters(const FitProblem& problem, const Minimum& minimum,
@@ -51,6 +104,7 @@ std::vector<FittedParameter> fitted_parameters(const FitProblem& problem, const 
     for (std::size_t i = 0; i < problem.free.size(); ++i) {
         FittedParameter& row = fitted[static_cast<std::size_t>(problem.free[i].parameter)];
         row.value = minimum.values[i];
+        row.bounds = problem.free[i].bounds;
         row.uncertainty = uncertainty.parameters[i];
     }
     return fitted;
@@ -62,9 +116,9 @@ double root_mean_square(const std::vector<double>& a, const std::vector<double>&
     return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
-std::optional<double> chi2_p_value(double chi2, std::size_t degrees_of_freedom) {
-    if (degrees_of_freedom == 0) return std::nullopt;
-    const boost::math::chi_squared_distribution<double> law(static_cast<double>(degrees_of_freedom));
+std::optional<double> chi2_p_value(double chi2, double degrees_of_freedom) {
+    if (!(degrees_of_freedom > 0.0)) return std::nullopt;
+    const boost::math::chi_squared_distribution<double> law(degrees_of_freedom);
     return boost::math::cdf(boost::math::complement(law, chi2));
 }
 
@@ -75,6 +129,11 @@ double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::ranges::nth_element(values, middle);
     return *middle;
+}
+
+bool has_own_cost(const FitResult& result) {
+    return !result.priors.empty() || result.configuration.loss != Loss::squares ||
+           !result.configuration.weights.empty();
 }
 
 std::optional<double> largest_difference_in_sigmas(const FitResult& result, const Minimum& other) {
@@ -93,9 +152,9 @@ FitResult fit_spectrum(const Configuration& configuration, const Spectrum& spect
     const FitProblem problem = make_problem(complete, spectrum);
     const ForwardModel model = make_model(problem, complete.engine, options.cache);
     const Objective objective(problem, model);
-    const Inference inference =
-        infer(objective, minimise(objective, complete.solver, approach(problem, model, complete.solver)),
-              complete.uncertainty, complete.seed);
+    const Objective cheap(problem, cheap_model(problem, model));
+    Search found = search(cheap, objective, complete.solver, complete.starts);
+    const Inference inference = infer(objective, found.minima.front().minimum, complete.uncertainty, complete.seed);
     const Minimum& minimum = inference.minimum;
     const Objective::Modelled modelled = objective.model(minimum.values);
 
@@ -110,8 +169,11 @@ FitResult fit_spectrum(const Configuration& configuration, const Spectrum& spect
     result.modelled.assign(modelled.reading.begin(), modelled.reading.end());
     result.rmse = root_mean_square(result.modelled, result.measured);
     result.chi2 = minimum.chi2;
-    result.degrees_of_freedom = problem.wavelength_nm.size() - problem.free.size();
+    result.cost = minimum.cost;
+    result.degrees_of_freedom = degrees_of_freedom(objective, minimum);
     result.p_value = chi2_p_value(result.chi2, result.degrees_of_freedom);
+    const Eigen::VectorXd residuals = objective.residuals(modelled.reading);
+    result.runs_p_value = runs_p_value({residuals.data(), static_cast<std::size_t>(residuals.size())});
     result.median_sigma = median(problem.sigma);
     if (const auto* const emulator = std::get_if<Emulator>(&model)) {
         result.emulator_error = emulator->certified_error();
@@ -124,14 +186,11 @@ FitResult fit_spectrum(const Configuration& configuration, const Spectrum& spect
     result.identifiability = inference.identifiability;
     result.profile = inference.profile;
     result.posterior = inference.posterior;
-    if (result.degrees_of_freedom > 0) {
-        result.inflation = std::sqrt(result.chi2 / static_cast<double>(result.degrees_of_freedom));
-    }
-    result.answer = {.solver = complete.solver, .minimum = minimum};
-    if (options.cross_check) {
-        const Solver other = complete.solver == Solver::ceres ? Solver::bobyqa : Solver::ceres;
-        result.cross_check.push_back({.solver = other, .minimum = minimise(objective, other, starts(problem))});
-    }
+    if (result.degrees_of_freedom > 0) result.inflation = std::sqrt(result.chi2 / result.degrees_of_freedom);
+    result.priors = priors_in_words(problem);
+    result.answer = {.solver = complete.solver, .minimum = minimum, .seconds = found.seconds};
+    if (options.cross_check) result.cross_check = other_answers(cheap, objective, complete);
+    result.minima = std::move(found.minima);
     result.configuration = complete;
     const Diagnosis diagnosis = diagnose(result);
     result.verdict = diagnosis.verdict;

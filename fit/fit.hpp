@@ -9,7 +9,7 @@ namespace skinfit {
 
 /// What to do beside the fit itself.
 struct FitOptions {
-    bool cross_check = false;  ///< also by the other solver, and compare
+    bool cross_check = false;  ///< also by the other solvers, and compare
     EnsembleCache cache;
 };
 

@@ -36,6 +36,7 @@ void use_profile(const Objective& objective, Inference& inference) {
     if (inference.profile->better_minimum) {
         inference.minimum.values = values_at(problem, inference.profile->minimum);
         inference.minimum.chi2 = objective.chi2(inference.minimum.values);
+        inference.minimum.cost = objective.misfit(inference.minimum.values).cost();
         inference.uncertainty = estimate_uncertainty(objective, inference.minimum);
     }
     for (std::size_t i = 0; i < problem.free.size(); ++i) {

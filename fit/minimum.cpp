@@ -1,34 +1,51 @@
 #include "fit/minimum.hpp"
 
-#include <algorithm>
+#include <Eigen/Cholesky>
 
 namespace skinfit {
 
-std::vector<double> to_unit_box(const FitProblem& problem, std::span<const double> values) {
-    std::vector<double> positions;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const Bounds& bounds = problem.free[i].bounds;
-        positions.push_back((values[i] - bounds.lower) / (bounds.upper - bounds.lower));
-    }
-    return positions;
-}
-
-std::vector<double> from_unit_box(const FitProblem& problem, std::span<const double> positions) {
-    std::vector<double> values;
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        const Bounds& bounds = problem.free[i].bounds;
-        // Exactly the bound at 0 and 1, whatever the rounding.
-        const double value =
-            positions[i] == 1.0 ? bounds.upper : bounds.lower + positions[i] * (bounds.upper - bounds.lower);
-        values.push_back(value);
-    }
-    return values;
-}
+using Index = Eigen::Index;
 
 std::vector<double> starts(const FitProblem& problem) {
     std::vector<double> values;
     for (const FreeParameter& free : problem.free) values.push_back(free.start);
     return values;
+}
+
+double expected_gain(const Objective& objective, std::span<const double> values) {
+    const FitProblem& problem = objective.problem();
+    const Misfit misfit = objective.misfit(values);
+    const std::vector<double> slopes = unit_box_slopes(problem, to_unit_box(problem, values));
+    std::vector<Index> moving;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const auto column = static_cast<Index>(i);
+        const double rise = misfit.jacobian.col(column).dot(misfit.residual);
+        const Bounds& bounds = problem.free[i].bounds;
+        const bool pressed = (values[i] <= bounds.lower && rise > 0.0) || (values[i] >= bounds.upper && rise < 0.0);
+        if (!pressed) moving.push_back(column);
+    }
+    const Eigen::Map<const Eigen::VectorXd> slope(slopes.data(), misfit.jacobian.cols());
+    const Eigen::MatrixXd by_position = misfit.jacobian * slope.asDiagonal();
+    const Eigen::MatrixXd jacobian = by_position(Eigen::all, moving);
+    const Eigen::VectorXd gradient = jacobian.transpose() * misfit.residual;
+    const Eigen::MatrixXd damped =
+        jacobian.transpose() * jacobian + Eigen::MatrixXd::Identity(gradient.size(), gradient.size());
+    return gradient.dot(damped.ldlt().solve(gradient));
+}
+
+Minimum concluded(const Objective& objective, std::span<const double> positions, int evaluations,
+                  const std::string& termination) {
+    Minimum minimum{.values = from_unit_box(objective.problem(), positions),
+                    .evaluations = evaluations,
+                    .termination = termination};
+    minimum.chi2 = objective.chi2(minimum.values);
+    minimum.cost = objective.misfit(minimum.values).cost();
+    minimum.converged = expected_gain(objective, minimum.values) < negligible_gain;
+    return minimum;
+}
+
+Minimum minimise(const Objective& objective, Solver solver, std::span<const double> start) {
+    return solver == Solver::ceres ? minimise_by_ceres(objective, start) : minimise_by_nlopt(objective, solver, start);
 }
 
 }  // namespace skinfit

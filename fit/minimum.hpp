@@ -1,8 +1,10 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
+#include "fit/fit_scale.hpp"
 #include "fit/objective.hpp"
 
 namespace skinfit {
@@ -10,23 +12,36 @@ namespace skinfit {
 /// Where a solver ended.
 struct Minimum {
     std::vector<double> values;  ///< of the free parameters
-    double chi2 = 0.0;
-    int evaluations = 0;  ///< of the model
-    bool converged = false;
-    std::string termination;  ///< in the solver's words
+    double chi2 = 0.0;           ///< `Objective::chi2`
+    double cost = 0.0;           ///< `Misfit::cost`: what was minimised
+    int evaluations = 0;         ///< of the model
+    bool converged = false;      ///< `expected_gain` is below `negligible_gain`
+    std::string termination;     ///< in the solver's words
 };
-
-/// The position of each free parameter between its bounds, 0 to 1: the coordinates in which solvers work.
-[[nodiscard]] std::vector<double> to_unit_box(const FitProblem& problem, std::span<const double> values);
-[[nodiscard]] std::vector<double> from_unit_box(const FitProblem& problem, std::span<const double> positions);
 
 /// The starts of the free parameters.
 [[nodiscard]] std::vector<double> starts(const FitProblem& problem);
 
-/// Minimises chi2 from `start` by Ceres' trust-region method with the exact Jacobian and an active set of bounds.
+/// By how much the linearised cost at `values` falls within a step of about the size of the unit box, parameters that
+/// are pressed against a bound held: g (J'J + 1)^-1 g for the gradient g and the Jacobian J by positions. It vanishes
+/// at a minimum, and a direction along which the cost is flat adds nothing.
+[[nodiscard]] double expected_gain(const Objective& objective, std::span<const double> values);
+
+/// A cost that can fall by less moves no parameter by more than a thirtieth of its standard deviation.
+inline constexpr double negligible_gain = 1e-3;
+
+/// The solvers' conclusion: cost, chi2 and convergence at `positions` in the unit box.
+[[nodiscard]] Minimum concluded(const Objective& objective, std::span<const double> positions, int evaluations,
+                                const std::string& termination);
+
+/// Minimises the cost from `start` by Ceres' trust-region method with the exact Jacobian and an active set of bounds.
 [[nodiscard]] Minimum minimise_by_ceres(const Objective& objective, std::span<const double> start);
 
-/// Minimises chi2 from `start` by NLopt's BOBYQA, which uses no derivatives [POWELL09].
-[[nodiscard]] Minimum minimise_by_bobyqa(const Objective& objective, std::span<const double> start);
+/// Minimises the cost from `start` by a method of NLopt: BOBYQA [POWELL09], SBPLX [ROWAN90], SLSQP [KRAFT94], or CRS2
+/// [KAELO06], which takes its random numbers from the problem's seed and is finished by BOBYQA.
+[[nodiscard]] Minimum minimise_by_nlopt(const Objective& objective, Solver solver, std::span<const double> start);
+
+/// The same by any solver.
+[[nodiscard]] Minimum minimise(const Objective& objective, Solver solver, std::span<const double> start);
 
 }  // namespace skinfit

@@ -13,7 +13,14 @@ namespace skinfit {
 struct FreeParameter {
     Parameter parameter;
     double start;
-    Bounds bounds;
+    Bounds bounds;                 ///< where a prior's density is zero at a bound: `within_support`
+    std::optional<Prior> prior{};  ///< unset: uniform within the bounds
+};
+
+/// A prior on a quantity computed from parameters.
+struct DerivedPrior {
+    Derived quantity;
+    Prior prior;
 };
 
 /// One measured spectrum and the model that is to explain it.
@@ -26,6 +33,11 @@ struct FitProblem {
     std::string sigma_source;           ///< in words
     std::vector<FreeParameter> free;
     WalkOptions walk;
+    std::vector<double> weight{};  ///< of each squared residual; empty: 1
+    std::optional<Discrepancy> discrepancy{};
+    Loss loss = Loss::squares;
+    double loss_scale = 1.0;  ///< sigmas
+    std::vector<DerivedPrior> derived_priors{};
 };
 
 /// The experiment that `configuration` describes; `geometry` fills in what it leaves open.
@@ -35,8 +47,10 @@ struct FitProblem {
 [[nodiscard]] Configuration resolved(Configuration configuration, const Spectrum& spectrum);
 
 /// The problem of fitting `spectrum` as `resolved_configuration` says. Throws InputError where that makes no sense: no
-/// wavelengths in the window or outside the tables, fewer wavelengths than free parameters, none free, a start outside
-/// its bounds, a parameter that this engine cannot adjust or that has no effect.
+/// wavelengths in the window or outside the tables, a constant spectrum, fewer wavelengths and priors than free
+/// parameters, none free, a start outside its bounds, a parameter that this engine cannot adjust or that has no effect,
+/// a prior with its mode outside the bounds or less than a tenth of its mass inside. A prior on what is fixed has no
+/// effect, like the bounds of a fixed parameter.
 [[nodiscard]] FitProblem make_problem(const Configuration& resolved_configuration, const Spectrum& spectrum);
 
 }  // namespace skinfit

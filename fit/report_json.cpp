@@ -40,17 +40,35 @@ Json correlation_json(const FitResult& result) {
     return {{"parameters", names}, {"matrix", matrix}};
 }
 
-Json answer_json(const FitResult& result, const SolverAnswer& answer, const Json& solver_name) {
+Json values_json(const FitResult& result, const Minimum& minimum) {
     Json values;
     for (std::size_t i = 0; i < result.free.size(); ++i) {
-        values[std::string(info(result.free[i]).name)] = answer.minimum.values[i];
+        values[std::string(info(result.free[i]).name)] = minimum.values[i];
     }
+    return values;
+}
+
+Json minima_json(const FitResult& result) {
+    Json minima = Json::array();
+    for (const DistinctMinimum& each : result.minima) {
+        minima.push_back({{"cost", each.minimum.cost},
+                          {"chi2", each.minimum.chi2},
+                          {"converged", each.minimum.converged},
+                          {"searches", each.searches},
+                          {"values", values_json(result, each.minimum)},
+                          {"largest_difference_sigmas", or_null(largest_difference_in_sigmas(result, each.minimum))}});
+    }
+    return minima;
+}
+
+Json answer_json(const FitResult& result, const SolverAnswer& answer, const Json& solver_name) {
     return {{"solver", solver_name},
+            {"cost", answer.minimum.cost},
             {"chi2", answer.minimum.chi2},
             {"converged", answer.minimum.converged},
             {"termination", answer.minimum.termination},
             {"evaluations", answer.minimum.evaluations},
-            {"values", values},
+            {"values", values_json(result, answer.minimum)},
             {"largest_difference_sigmas", or_null(largest_difference_in_sigmas(result, answer.minimum))}};
 }
 
@@ -71,17 +89,21 @@ Json json_report(const FitResult& result) {
                  {"reasons", result.reasons},
                  {"rmse", result.rmse},
                  {"chi2", result.chi2},
+                 {"cost", result.cost},
                  {"degrees_of_freedom", result.degrees_of_freedom},
                  {"p_value", or_null(result.p_value)},
+                 {"runs_p_value", or_null(result.runs_p_value)},
                  {"monte_carlo_error", result.monte_carlo_error},
                  {"emulator_error", or_null(result.emulator_error)},
                  {"parameters", parameters_json(result)},
                  {"correlation", correlation_json(result)},
                  {"uncertainty", uncertainty_json(result)},
                  {"solution", answer_json(result, result.answer, solver_name(result.answer.solver))}};
+    json["minima"] = minima_json(result);
     if (!result.cross_check.empty()) json["cross_check"] = Json::array();
     for (const SolverAnswer& other : result.cross_check) {
         json["cross_check"].push_back(answer_json(result, other, solver_name(other.solver)));
+        json["cross_check"].back()["seconds"] = other.seconds;
     }
     json["spectrum"] = {{"name", result.spectrum_name},
                         {"source", result.spectrum_source},

@@ -105,21 +105,56 @@ std::string correlation_text(const FitResult& result) {
     return text.empty() ? "correlations above 0.9: none\n" : "correlations above 0.9:\n" + text;
 }
 
+std::string away(const FitResult& result, const Minimum& minimum) {
+    const std::optional<double> difference = largest_difference_in_sigmas(result, minimum);
+    return difference ? fmt::format("{:.2g}", *difference) : "-";
+}
+
 std::string solver_line(const FitResult& result, const SolverAnswer& answer) {
     Configuration named;
     named.solver = answer.solver;
-    const std::optional<double> difference = largest_difference_in_sigmas(result, answer.minimum);
-    return fmt::format("  {:<8}chi2 {:<12.8g}{:>5} evaluations, {}, {}\n", to_json(named)["solver"].get<std::string>(),
-                       answer.minimum.chi2, answer.minimum.evaluations,
-                       answer.minimum.converged ? "converged" : "NOT CONVERGED",
-                       difference ? fmt::format("parameters within {:.2g} sigma", *difference)
-                                  : "no parameter has a sigma to compare by");
+    return fmt::format("  {:<8}{:>14.8g}{:>20}{:>14}{:>10.2f}  {}\n", to_json(named)["solver"].get<std::string>(),
+                       answer.minimum.cost, away(result, answer.minimum), answer.minimum.evaluations, answer.seconds,
+                       answer.minimum.converged ? "converged" : "NOT CONVERGED");
 }
 
 std::string cross_check_text(const FitResult& result) {
     if (result.cross_check.empty()) return "";
-    std::string text = "cross-check:\n" + solver_line(result, result.answer);
+    std::string text = fmt::format("cross-check:\n  {:<8}{:>14}{:>20}{:>14}{:>10}\n", "solver", "cost",
+                                   "largest sigmas off", "evaluations", "seconds");
+    text += solver_line(result, result.answer);
     for (const SolverAnswer& other : result.cross_check) text += solver_line(result, other);
+    return text;
+}
+
+std::string minima_text(const FitResult& result) {
+    if (result.minima.empty()) return "";
+    int searches = 0;
+    for (const DistinctMinimum& each : result.minima) searches += each.searches;
+    if (result.minima.size() == 1) return fmt::format("searches: {}, all of which ended at this minimum\n", searches);
+    std::string text = fmt::format("searches: {}, which ended at {} minima:\n  {:<14}{:>10}{:>20}\n", searches,
+                                   result.minima.size(), "cost", "searches", "largest sigmas off");
+    for (const DistinctMinimum& each : result.minima) {
+        text += fmt::format("  {:<14.8g}{:>10}{:>20}{}\n", each.minimum.cost, each.searches, away(result, each.minimum),
+                            each.minimum.converged ? "" : "  NOT CONVERGED");
+    }
+    return text;
+}
+
+/// What the misfit was measured by, where it was not plain noise.
+std::string cost_text(const FitResult& result) {
+    const Configuration& configuration = result.configuration;
+    std::string text;
+    if (configuration.discrepancy) {
+        text += fmt::format("discrepancy: {:g} over {:g} nm, part of chi2\n", configuration.discrepancy->sigma,
+                            configuration.discrepancy->length_nm);
+    }
+    if (has_own_cost(result)) {
+        const Json json = to_json(configuration);
+        text += fmt::format("minimised: cost {:.2f}, with loss {}, weighted ranges: {}, priors: {}\n", result.cost,
+                            json["loss"].get<std::string>(), configuration.weights.size(), result.priors.size());
+    }
+    for (const std::string& prior : result.priors) text += fmt::format("prior: {}\n", prior);
     return text;
 }
 
@@ -173,13 +208,14 @@ std::string text_report(const FitResult& result) {
     std::string text = fmt::format("{} ({})\nverdict: {}\n", result.spectrum_name, result.spectrum_source, verdict);
     for (const std::string& reason : result.reasons) text += fmt::format("  - {}\n", reason);
     text += fmt::format("\n{}\n", parameter_table_text(result));
-    text += fmt::format("misfit: rmse {:.5f}, chi2 {:.2f} for {} degrees of freedom{}\n", result.rmse, result.chi2,
+    text += fmt::format("misfit: rmse {:.5f}, chi2 {:.2f} for {:.3g} degrees of freedom{}\n", result.rmse, result.chi2,
                         result.degrees_of_freedom, result.p_value ? fmt::format(" (p = {:.2g})", *result.p_value) : "");
+    text += cost_text(result);
     text += fmt::format("noise: {}; {}\n", result.sigma_source, model_error_words(result));
     text += fmt::format("wavelengths: {} from {:g} to {:g} nm; values read as {}\n", result.wavelength_nm.size(),
                         result.wavelength_nm.front(), result.wavelength_nm.back(), result.unit_rule);
-    return text + correlation_text(result) + uncertainty_text(result) + cross_check_text(result) + fixed_text(result) +
-           model_text(result.configuration);
+    return text + correlation_text(result) + uncertainty_text(result) + minima_text(result) + cross_check_text(result) +
+           fixed_text(result) + model_text(result.configuration);
 }
 
 }  // namespace skinfit

@@ -8,6 +8,7 @@
 #include "fit/configuration.hpp"
 #include "fit/inference.hpp"
 #include "fit/minimum.hpp"
+#include "fit/multistart.hpp"
 #include "fit/uncertainty.hpp"
 
 namespace skinfit {
@@ -28,6 +29,7 @@ struct FittedParameter {
 struct SolverAnswer {
     Solver solver;
     Minimum minimum;
+    double seconds = 0.0;  ///< of all its searches
 };
 
 /// Everything a report needs.
@@ -39,9 +41,13 @@ struct FitResult {
     std::string unit_rule;
     std::string sigma_source;
     double rmse = 0.0;  ///< of reading minus measurement, fraction
-    double chi2 = 0.0;
-    std::size_t degrees_of_freedom = 0;
+    double chi2 = 0.0;  ///< of the data alone, whitened by noise and discrepancy: without weights, loss and priors
+    double cost = 0.0;  ///< what was minimised
+    /// The expectation of chi2 where model, noise and priors are right: wavelengths minus parameters as far as the data
+    /// determine them, which without priors is all of them.
+    double degrees_of_freedom = 0.0;
     std::optional<double> p_value;            ///< of chi2; none without degrees of freedom
+    std::optional<double> runs_p_value;       ///< that the residuals change sign as rarely: `runs_p_value`
     double median_sigma = 0.0;                ///< of the measurement
     double monte_carlo_error = 0.0;           ///< median standard error of the modelled reading
     std::optional<double> emulator_error;     ///< largest, certified, of the share that leaves; engine emulator only
@@ -57,9 +63,14 @@ struct FitResult {
     std::vector<double> sigma;
     std::vector<double> modelled;
     SolverAnswer answer;
+    std::vector<DistinctMinimum> minima;    ///< of the answer's searches, best first; the first is the answer
+    std::vector<std::string> priors;        ///< in use, in words
     std::vector<SolverAnswer> cross_check;  ///< other solvers on the same objective; empty unless asked for
     Configuration configuration;            ///< resolved: the fit can be run again from it
 };
+
+/// Whether anything but chi2 was minimised.
+[[nodiscard]] bool has_own_cost(const FitResult& result);
 
 /// Largest difference of a free parameter between two answers, in standard deviations of the result; none when no
 /// parameter has one.

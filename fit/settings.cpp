@@ -9,35 +9,16 @@
 
 #include "core/input_error.hpp"
 #include "core/text.hpp"
+#include "fit/problem_settings.hpp"
 
 namespace skinfit {
 namespace {
 
 constexpr std::array<std::string_view, 2> edition_names = {"printed", "revised"};
 constexpr std::array<std::string_view, 4> engine_names = {"paths", "walk", "solver", "emulator"};
-constexpr std::array<std::string_view, 2> solver_names = {"ceres", "bobyqa"};
 constexpr std::array<std::string_view, 3> uncertainty_names = {"covariance", "profile", "posterior"};
+constexpr std::array<std::string_view, solver_count> solver_names = {"ceres", "bobyqa", "sbplx", "slsqp", "crs2"};
 constexpr std::array<std::string_view, 2> unit_names = {"fraction", "percent"};
-
-[[noreturn]] void refuse(const std::string& where, const Json& value, const std::string& why,
-                         const std::string& remedy) {
-    throw InputError(
-        {.where = where, .problem = fmt::format("{} cannot be used", shown(value)), .why = why, .remedy = remedy});
-}
-
-/// A number between two limits, both included.
-struct Range {
-    double lowest;
-    double highest;
-};
-
-double read_number(const Json& value, const Range& range, const std::string& where) {
-    const std::string remedy = fmt::format("give a number from {} to {}", range.lowest, range.highest);
-    if (!value.is_number()) refuse(where, value, "a number is needed", remedy);
-    const double number = value.get<double>();
-    if (!(number >= range.lowest && number <= range.highest)) refuse(where, value, "out of range", remedy);
-    return number;
-}
 
 std::uint64_t read_count(const Json& value, std::uint64_t lowest, std::uint64_t highest, const std::string& where) {
     const Range range{static_cast<double>(lowest), static_cast<double>(highest)};
@@ -48,13 +29,7 @@ std::uint64_t read_count(const Json& value, std::uint64_t lowest, std::uint64_t 
 
 template <class Enum, std::size_t count>
 Enum read_name(const Json& value, const std::array<std::string_view, count>& names, const std::string& where) {
-    const std::string text = value.is_string() ? value.get<std::string>() : shown(value);
-    const auto found = std::ranges::find(names, text);
-    if (found == names.end()) {
-        refuse(where, value, fmt::format("one of {} is needed", fmt::join(names, ", ")),
-               fmt::format("did you mean {}?", nearest_name(text, names)));
-    }
-    return static_cast<Enum>(found - names.begin());
+    return static_cast<Enum>(read_choice(value, names, where));
 }
 
 template <class Enum, std::size_t count>
@@ -202,19 +177,11 @@ Setting wavelengths() {
             [](const Configuration& configuration) { return Json(configuration.wavelengths); }};
 }
 
-}  // namespace
-
-std::string shown(const Json& json) {
-    constexpr std::size_t longest = 60;
-    const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    return text.size() <= longest ? text : text.substr(0, longest) + "...";
-}
-
-std::span<const Setting> setting_table() {
+std::vector<Setting> general_settings() {
     constexpr std::uint64_t fewest_rays = 1000;
     constexpr std::uint64_t most_rays = 10'000'000'000;
     constexpr std::uint64_t largest_seed = 9'007'199'254'740'992;  // 2^53: exact in any JSON reader
-    static const std::vector<Setting> settings = {
+    return {
         named("edition", "which reading of the model's paper: see model/REFERENCES.md", edition_names,
               &Configuration::edition),
         named("engine",
@@ -252,7 +219,48 @@ std::span<const Setting> setting_table() {
                &Configuration::wavelength_max_nm),
         number("noise", "standard uncertainty of a value where the file states none, fraction", {1e-6, 1},
                &Configuration::noise),
+        count("starts", "of a fit: the configured one, and points spread over the bounds", 1, 10'000,
+              &Configuration::starts),
     };
+}
+
+}  // namespace
+
+void refuse(const std::string& where, const Json& value, const std::string& why, const std::string& remedy) {
+    throw InputError(
+        {.where = where, .problem = fmt::format("{} cannot be used", shown(value)), .why = why, .remedy = remedy});
+}
+
+double read_number(const Json& value, const Range& range, const std::string& where) {
+    const std::string remedy = fmt::format("give a number from {} to {}", range.lowest, range.highest);
+    if (!value.is_number()) refuse(where, value, "a number is needed", remedy);
+    const double number = value.get<double>();
+    if (!(number >= range.lowest && number <= range.highest)) refuse(where, value, "out of range", remedy);
+    return number;
+}
+
+std::size_t read_choice(const Json& value, std::span<const std::string_view> names, const std::string& where) {
+    const std::string text = value.is_string() ? value.get<std::string>() : shown(value);
+    const auto found = std::ranges::find(names, text);
+    if (found == names.end()) {
+        refuse(where, value, fmt::format("one of {} is needed", fmt::join(names, ", ")),
+               fmt::format("did you mean {}?", nearest_name(text, names)));
+    }
+    return static_cast<std::size_t>(found - names.begin());
+}
+
+std::string shown(const Json& json) {
+    constexpr std::size_t longest = 60;
+    const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return text.size() <= longest ? text : text.substr(0, longest) + "...";
+}
+
+std::span<const Setting> setting_table() {
+    static const std::vector<Setting> settings = [] {
+        std::vector<Setting> all = general_settings();
+        std::ranges::move(problem_settings(), std::back_inserter(all));
+        return all;
+    }();
     return settings;
 }
 

@@ -26,6 +26,23 @@ struct Setting {
 /// All settings but the parameters, in the order in which they are shown.
 [[nodiscard]] std::span<const Setting> setting_table();
 
+/// A number between two limits, both included.
+struct Range {
+    double lowest;
+    double highest;
+};
+
+/// Throws InputError: `where`: `value` cannot be used.
+[[noreturn]] void refuse(const std::string& where, const Json& value, const std::string& why,
+                         const std::string& remedy);
+
+/// The number in `value`. Throws InputError where it is none or out of range.
+[[nodiscard]] double read_number(const Json& value, const Range& range, const std::string& where);
+
+/// Which of `names` `value` is. Throws InputError where it is none of them, naming the nearest.
+[[nodiscard]] std::size_t read_choice(const Json& value, std::span<const std::string_view> names,
+                                      const std::string& where);
+
 /// `json` as it stands in messages: on one line, cut where it is long; bytes that are not UTF-8 are replaced.
 [[nodiscard]] std::string shown(const Json& json);
 

@@ -25,17 +25,13 @@ struct Linearised {
 
 Linearised linearise(const Objective& objective, const Minimum& minimum) {
     const FitProblem& problem = objective.problem();
-    const Objective::Modelled modelled = objective.model(minimum.values);
-    Linearised linear{.jacobian = modelled.jacobian,
-                      .residuals = objective.residuals(modelled.reading),
-                      .unit = VectorXd(modelled.jacobian.cols())};
+    const Misfit misfit = objective.misfit(minimum.values);
+    Linearised linear{
+        .jacobian = misfit.jacobian, .residuals = misfit.residual, .unit = VectorXd(misfit.jacobian.cols())};
     for (Index column = 0; column < linear.unit.size(); ++column) {
         const Bounds& bounds = problem.free[static_cast<std::size_t>(column)].bounds;
         linear.unit[column] = (bounds.upper - bounds.lower) / box_width;
-    }
-    for (Index row = 0; row < linear.jacobian.rows(); ++row) {
-        linear.jacobian.row(row) = linear.jacobian.row(row).cwiseProduct(linear.unit.transpose()) /
-                                   problem.sigma[static_cast<std::size_t>(row)];
+        linear.jacobian.col(column) *= linear.unit[column];
     }
     return linear;
 }
@@ -86,10 +82,8 @@ VectorXd monte_carlo_sigmas(const Objective& objective, const Minimum& minimum, 
     if (readings.cols() == 0) return VectorXd::Zero(inverse.response.rows());
     const auto batches = static_cast<double>(readings.cols());
     readings.colwise() -= VectorXd(readings.rowwise().mean());
-    for (Index row = 0; row < readings.rows(); ++row) {
-        readings.row(row) /= objective.problem().sigma[static_cast<std::size_t>(row)];
-    }
-    const MatrixXd changes = inverse.response * readings;
+    const VectorXd reading = objective.model(minimum.values).reading;
+    const MatrixXd changes = inverse.response.leftCols(readings.rows()) * objective.residual_changes(reading, readings);
     return (changes.rowwise().squaredNorm() / (batches * (batches - 1.0))).cwiseSqrt();
 }
 

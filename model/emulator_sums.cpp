@@ -1,8 +1,9 @@
 // Compiled once per instruction set by foreach_target.h, then chosen at run time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/emulator_sums.cpp"  // NOLINT
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)  // their registers cannot be members of a struct
-#include <hwy/foreach_target.h>                       // must come before highway.h
+#define HWY_DISABLED_TARGETS \
+    (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)  // their registers cannot be members of a struct
+#include <hwy/foreach_target.h>                                  // must come before highway.h
 //
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>

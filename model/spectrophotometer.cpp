@@ -64,9 +64,11 @@ std::vector<Reading> read_by_walk(const Experiment& experiment, const std::vecto
     return readings;
 }
 
-AngularSolver angular_solver(const Experiment& experiment) {
+AngularSolver angular_solver(const Experiment& experiment, const AngularResolution& resolution) {
     return {experiment.sample(),
-            {.incidence_rad = experiment.incidence_rad, .viewing_cone_rad = experiment.viewing_cone_rad}};
+            {.incidence_rad = experiment.incidence_rad,
+             .viewing_cone_rad = experiment.viewing_cone_rad,
+             .resolution = resolution}};
 }
 
 std::vector<Reading> read_by_solver(const Experiment& experiment, const std::vector<double>& wavelengths_nm) {

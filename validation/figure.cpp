@@ -19,12 +19,6 @@ using Names = std::vector<std::string_view>;
 
 const std::string example = "configs/figure_5.json of the source tree is an example";
 
-[[noreturn]] void refuse(const std::string& where, const Json& value, const std::string& why,
-                         const std::string& remedy) {
-    throw InputError(
-        {.where = where, .problem = fmt::format("{} cannot be used", shown(value)), .why = why, .remedy = remedy});
-}
-
 /// An object whose keys are all `known` and among which none of `needed` is missing.
 void check_keys(const Json& json, const Names& known, const Names& needed, const std::string& where) {
     require_object(json, where, example);

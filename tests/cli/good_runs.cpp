@@ -131,7 +131,7 @@ TEST_F(GoodRuns, WhatIsSimulatedIsFound) {
 
 TEST_F(GoodRuns, CrossCheckReportsBothSolvers) {
     const Json json = Json::parse(run(joined(quick_fit, {"--cross-check", "--format", "json"})).out);
-    ASSERT_EQ(json["cross_check"].size(), 1U);
+    ASSERT_EQ(json["cross_check"].size(), 4U);
     EXPECT_EQ(json["cross_check"][0]["solver"], "bobyqa");
 }
 

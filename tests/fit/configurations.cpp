@@ -69,6 +69,16 @@ Configuration unusual() {
     c.wavelength_min_nm = 450.25;
     c.wavelength_max_nm = 650;
     c.noise = 0.1 / 3;
+    c.exclude_nm = {{500, 510}, {600.5, 610}};
+    c.weights = {{.range_nm = {650, 700}, .weight = 0.1}};
+    c.loss = Loss::cauchy;
+    c.loss_scale = 3.5;
+    c.discrepancy = Discrepancy{.sigma = 0.01, .length_nm = 20, .kernel = Kernel::matern_3_2};
+    c.starts = 17;
+    c.priors[0] = LogNormalPrior{.median = 0.1 / 3, .sigma_log = 0.7};
+    c.priors[1] = NormalPrior{.mean = 80, .sigma = 10};
+    c.priors[5] = BetaPrior{.a = 1.5, .b = 3};
+    c.derived_priors[0] = NormalPrior{.mean = 0.02, .sigma = 0.01};
     for (const ParameterInfo& row : parameter_table()) {
         const auto i = static_cast<std::size_t>(row.parameter);
         value_of(c.values, row.parameter) = row.lower + (row.upper - row.lower) / 3;
@@ -168,6 +178,28 @@ TEST(ConfigurationJson, MisuseIsRefusedByLoaderAndSchema) {
                                    R"({"wavelength_max_nm": "x"})",
                                    R"({"noise": 0})",
                                    R"({"noise": 2})",
+                                   R"({"starts": 0})",
+                                   R"({"loss": "huge"})",
+                                   R"({"loss_scale": 0})",
+                                   R"({"exclude_nm": [500, 510]})",
+                                   R"({"exclude_nm": [[500]]})",
+                                   R"({"weights": [[500, 510]]})",
+                                   R"({"weights": [[500, 510, 0]]})",
+                                   R"({"discrepancy": 0.005})",
+                                   R"({"discrepancy": {"sigma": 0}})",
+                                   R"({"discrepancy": {"length": 30}})",
+                                   R"({"discrepancy": {"kernel": "matern"}})",
+                                   R"({"priors": "physical"})",
+                                   R"({"priors": 1})",
+                                   R"({"priors": {"scal": {"kind": "uniform"}}})",
+                                   R"({"priors": {"scale": 1}})",
+                                   R"({"priors": {"scale": {}}})",
+                                   R"({"priors": {"scale": {"kind": "gauss"}}})",
+                                   R"({"priors": {"scale": {"kind": "normal", "mean": 1}}})",
+                                   R"({"priors": {"scale": {"kind": "normal", "mean": 1, "sigma": 0}}})",
+                                   R"({"priors": {"scale": {"kind": "normal", "mean": 1, "sigma": 1, "a": 1}}})",
+                                   R"({"priors": {"scale": {"kind": "uniform", "lower": 1}}})",
+                                   R"({"priors": {"oxygen_saturation": {"kind": "beta", "a": 1, "b": 2}}})",
                                    R"({"free": "scale"})",
                                    R"({"free": [1]})",
                                    R"({"free": ["scal"]})",
@@ -210,6 +242,19 @@ TEST(ConfigurationJson, MalformedTextNamesItsLine) {
     EXPECT_TRUE(refusal(R"({"noise": 1e999})").starts_with("c.json")) << refusal(R"({"noise": 1e999})");
 }
 
+TEST(ConfigurationJson, PriorsAddToASetOrReplaceIt) {
+    const Configuration physiological = loaded(R"({"priors": "physiological"})");
+    EXPECT_TRUE(physiological.priors[static_cast<std::size_t>(Parameter::melanosome_fraction)].has_value());
+    const Configuration changed =
+        configured_by_text(physiological, R"({"priors": {"melanosome_fraction": {"kind": "uniform"}}})", "c.json");
+    EXPECT_FALSE(changed.priors[static_cast<std::size_t>(Parameter::melanosome_fraction)].has_value());
+    EXPECT_TRUE(changed.priors[static_cast<std::size_t>(Parameter::oxygen_saturation)].has_value());
+    EXPECT_EQ(to_json(configured_by_text(changed, R"({"priors": "uniform"})", "c.json")),
+              to_json(default_configuration()));
+    EXPECT_EQ(to_json(configured_by_assignment(default_configuration(), "priors=physiological")),
+              to_json(physiological));
+}
+
 TEST(ConfigurationJson, AResultIsAConfiguration) {
     EXPECT_EQ(loaded(R"({"verdict": "suspect", "configuration": {"seed": 9}, "seed": 1})").seed, 9U);
     EXPECT_NE(refusal(R"({"configuration": {"sead": 9}})"), "");
@@ -229,6 +274,8 @@ TEST(Assignment, NumbersNamesAndNull) {
     EXPECT_EQ(assigned("wavelengths=550").wavelengths, "550");
     EXPECT_EQ(assigned("column=left arm").column, "left arm");
     EXPECT_EQ(assigned("column=2").column, "2");
+    EXPECT_EQ(assigned("exclude_nm=[[500, 510]]").exclude_nm.size(), 1U);
+    EXPECT_EQ(assigned("discrepancy={\"length_nm\": 20}").discrepancy->length_nm, 20);
 }
 
 TEST(Assignment, MisuseNamesTheKey) {

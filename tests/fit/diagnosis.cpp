@@ -81,25 +81,56 @@ TEST(Diagnosis, TooFewRaysAboveHalfTheNoiseSaysHowManyAreNeeded) {
     EXPECT_NE(diagnose(result).reasons[0].find("set rays to at least 400000"), std::string::npos);
 }
 
-FitResult with_other_answer(double chi2, double sigmas_away) {
+FitResult with_other_answer(double cost, double sigmas_away) {
     FitResult result = trustworthy_result();
     SolverAnswer other = result.answer;
     other.solver = Solver::bobyqa;
-    other.minimum.chi2 = chi2;
+    other.minimum.cost = cost;
     other.minimum.values[0] += sigmas_away * *melanosomes(result).uncertainty.sigma;
     result.cross_check.push_back(other);
     return result;
 }
 
 TEST(Diagnosis, SolversMayDifferByNoMoreThanStated) {
-    const double chi2 = trustworthy_result().chi2;
-    expect_trusted(with_other_answer(chi2, 0.0));
-    expect_trusted(with_other_answer(chi2 - 0.0009, 0.099));
-    expect_only(with_other_answer(chi2 - 0.0011, 0.0), "SOLVERS DISAGREE");
-    expect_only(with_other_answer(chi2, 0.101), "SOLVERS DISAGREE");
-    expect_only(with_other_answer(chi2, -0.101), "SOLVERS DISAGREE");
-    // A worse minimum of the other solver at the same place is no reason.
-    expect_trusted(with_other_answer(chi2 + 1.0, 0.0));
+    const double cost = trustworthy_result().cost;
+    expect_trusted(with_other_answer(cost, 0.0));
+    expect_trusted(with_other_answer(cost - 0.0009, 0.099));
+    expect_only(with_other_answer(cost - 0.0011, 0.0), "SOLVERS DISAGREE");
+    expect_only(with_other_answer(cost, 0.101), "SOLVERS DISAGREE");
+    expect_only(with_other_answer(cost, -0.101), "SOLVERS DISAGREE");
+    // That the other solver did worse is no reason.
+    expect_trusted(with_other_answer(cost + 1.0, 0.0));
+    expect_trusted(with_other_answer(cost + 1.0, 5.0));
+}
+
+FitResult with_other_minimum(double cost) {
+    FitResult result = trustworthy_result();
+    DistinctMinimum other{.minimum = result.answer.minimum, .searches = 2};
+    other.minimum.cost = cost;
+    other.minimum.values[0] *= 2.0;
+    result.minima.push_back(other);
+    return result;
+}
+
+TEST(Diagnosis, ASecondMinimumMattersWhereItIsAlmostAsGood) {
+    const double cost = trustworthy_result().cost;
+    expect_trusted(with_other_minimum(cost + 3.85));
+    expect_only(with_other_minimum(cost + 3.83), "SECOND MINIMUM");
+}
+
+TEST(Diagnosis, ResidualsInRunsBelowOneInAThousand) {
+    FitResult result = trustworthy_result();
+    result.runs_p_value = 0.00101;
+    expect_trusted(result);
+    result.runs_p_value = 0.00099;
+    expect_only(result, "RESIDUALS IN RUNS");
+}
+
+TEST(Diagnosis, FewerWavelengthsThanParameters) {
+    FitResult result = trustworthy_result();
+    result.wavelength_nm.clear();
+    result.p_value.reset();
+    expect_only(result, "FEWER WAVELENGTHS THAN PARAMETERS: 0 for 1");
 }
 
 TEST(Diagnosis, EveryReasonIsListed) {
@@ -107,10 +138,11 @@ TEST(Diagnosis, EveryReasonIsListed) {
     const auto count = [&](const char* rule) {
         return std::ranges::count_if(reasons, [rule](const std::string& reason) { return reason.starts_with(rule); });
     };
+    EXPECT_EQ(count("FEWER WAVELENGTHS THAN PARAMETERS"), 1);
     EXPECT_EQ(count("AT BOUND"), 2);
     EXPECT_EQ(count("NOT IDENTIFIABLE"), 1);
     EXPECT_EQ(count("SOLVERS DISAGREE"), 1);
-    EXPECT_EQ(reasons.size(), 4U);
+    EXPECT_EQ(reasons.size(), 5U);
 }
 
 }  // namespace

@@ -36,9 +36,11 @@ FitResult all_fixed() {
     }
     result.rmse = 0.00512;
     result.chi2 = 30.25;
+    result.cost = 30.25;
     result.degrees_of_freedom = 26;
     result.p_value = 0.26;
     result.inflation = 1.0786;
+    result.runs_p_value = 0.4;
     result.median_sigma = 0.006;
     result.monte_carlo_error = 0.00042;
     result.wavelength_nm = {400, 550, 700};
@@ -85,17 +87,29 @@ FitResult example_result() {
     make_free(result, Parameter::oxygen_saturation, 1.0, without_sigma(Status::at_upper_bound, {0.873, 1.0}));
     make_free(result, Parameter::bilirubin_g_per_l, 0.0, without_sigma(Status::at_lower_bound, {0.0, 0.214}));
     make_free(result, Parameter::dermis_carotene_g_per_l, 0.004, without_sigma(Status::not_identifiable, {0, 0.01}));
+    result.cost = 31.5;
+    result.configuration.loss = Loss::huber;
+    result.configuration.discrepancy = Discrepancy{};
+    result.priors = {"oxygen_saturation: beta, a 2, b 2"};
     result.correlation = Eigen::MatrixXd::Identity(5, 5);
     result.correlation(0, 1) = result.correlation(1, 0) = -0.934;
     result.identifiability = example_identifiability(result.free);
     result.answer.solver = Solver::ceres;
     result.answer.minimum.chi2 = 30.25;
+    result.answer.minimum.cost = 31.5;
     result.answer.minimum.evaluations = 12;
     result.answer.minimum.converged = true;
     result.answer.minimum.termination = "Function tolerance reached.";
+    result.answer.seconds = 0.012;
+    result.minima = {{.minimum = result.answer.minimum, .searches = 7},
+                     {.minimum = result.answer.minimum, .searches = 1}};
+    result.minima[1].minimum.cost = 60.25;
+    result.minima[1].minimum.values[0] = 0.1;
     SolverAnswer other = result.answer;
     other.solver = Solver::bobyqa;
+    other.seconds = 0.47;
     other.minimum.chi2 = 30.1;
+    other.minimum.cost = 31.4;
     other.minimum.evaluations = 345;
     other.minimum.values[0] += 0.000246;
     other.minimum.termination = "steps below the tolerance";
@@ -111,7 +125,9 @@ FitResult trustworthy_result() {
     result.identifiability = {.parameters = result.free,
                               .directions = {{.singular_value = 117.4, .components = Eigen::VectorXd::Ones(1)}},
                               .shrinkage = {0.99993}};
+    result.answer.minimum.cost = result.cost;
     result.answer.minimum.converged = true;
+    result.minima = {{.minimum = result.answer.minimum, .searches = 8}};
     judge(result);
     return result;
 }

@@ -45,11 +45,9 @@ struct RoundTrip {
 
     /// Norm of the residuals' derivative by positions in the unit box.
     [[nodiscard]] double steepness() const {
-        Eigen::MatrixXd jacobian = task.objective.model(true_values()).jacobian;
-        for (Eigen::Index i = 0; i < jacobian.cols(); ++i) {
-            const Bounds& bounds = task.problem.free[static_cast<std::size_t>(i)].bounds;
-            jacobian.col(i) *= (bounds.upper - bounds.lower) / task.problem.sigma.front();
-        }
+        const std::vector<double> slopes = unit_box_slopes(task.problem, to_unit_box(task.problem, true_values()));
+        Eigen::MatrixXd jacobian = task.objective.misfit(true_values()).jacobian;
+        for (Eigen::Index i = 0; i < jacobian.cols(); ++i) jacobian.col(i) *= slopes[static_cast<std::size_t>(i)];
         return jacobian.norm();
     }
 };
@@ -78,7 +76,7 @@ TEST(RoundTrip, BobyqaFindsTheSameWithinATwentiethOfASigma) {
     for (const Truth& truth : truths) {
         SCOPED_TRACE(truth.name);
         const RoundTrip trip(truth.skin);
-        const Minimum found = minimise_by_bobyqa(trip.task.objective, starts(trip.task.problem));
+        const Minimum found = minimise_by_nlopt(trip.task.objective, Solver::bobyqa, starts(trip.task.problem));
         EXPECT_TRUE(found.converged) << found.termination;
         // No parameter can be a twentieth of its sigma off without chi2 rising by a twentieth squared.
         EXPECT_LT(found.chi2, 0.05 * 0.05);
@@ -92,13 +90,14 @@ TEST(RoundTrip, FitSpectrumAgreesWithItsCrossCheckAndBlamesTheRaysAtMost) {
         configuration.solver = solver;
         const FitResult result = fit_spectrum(configuration, modelled_spectrum(trip.truth, grid_nm(400, 700, 10)),
                                               {.cross_check = true, .cache = no_cache()});
-        ASSERT_EQ(result.cross_check.size(), 1U);
-        EXPECT_NE(result.cross_check.front().solver, solver);
-        const std::optional<double> difference =
-            largest_difference_in_sigmas(result, result.cross_check.front().minimum);
-        ASSERT_TRUE(difference);
-        EXPECT_LT(*difference, 0.05);
-        EXPECT_EQ(result.degrees_of_freedom, 26U);
+        ASSERT_EQ(result.cross_check.size(), solver_count - 1);
+        for (const SolverAnswer& other : result.cross_check) {
+            EXPECT_NE(other.solver, solver);
+            const std::optional<double> difference = largest_difference_in_sigmas(result, other.minimum);
+            ASSERT_TRUE(difference);
+            EXPECT_LT(*difference, 0.05);
+        }
+        EXPECT_EQ(result.degrees_of_freedom, 26.0);
         for (const std::string& reason : result.reasons) EXPECT_TRUE(reason.starts_with("TOO FEW RAYS")) << reason;
     }
 }
@@ -109,7 +108,7 @@ TEST(RoundTrip, OneFreeParameterIsFoundByBothSolvers) {
     const Task task(with_free(quick_configuration(), {Parameter::melanosome_fraction}),
                     modelled_spectrum(truth, grid_nm(400, 700, 20)));
     const Minimum ceres = minimise_by_ceres(task.objective, starts(task.problem));
-    const Minimum bobyqa = minimise_by_bobyqa(task.objective, starts(task.problem));
+    const Minimum bobyqa = minimise_by_nlopt(task.objective, Solver::bobyqa, starts(task.problem));
     EXPECT_TRUE(ceres.converged);
     EXPECT_TRUE(bobyqa.converged);
     EXPECT_NEAR(ceres.values[0], 0.1, 1e-9);

@@ -21,22 +21,19 @@ public:
         const FitProblem& problem = objective_->problem();
         const std::vector<double> positions(parameters[0], parameters[0] + objective_->free_count());
         if (positions != last_positions_) {
-            last_modelled_ = objective_->model(from_unit_box(problem, positions));
+            last_misfit_ = objective_->misfit(from_unit_box(problem, positions));
             last_positions_ = positions;
             ++*evaluations_;
         }
-        const auto rows = static_cast<Eigen::Index>(objective_->residual_count());
-        Eigen::Map<Eigen::VectorXd>(residuals, rows) = objective_->residuals(last_modelled_.reading);
+        // Where a prior has no density: Ceres tries a shorter step.
+        if (!last_misfit_.residual.allFinite()) return false;
+        const Eigen::Index rows = last_misfit_.residual.size();
+        Eigen::Map<Eigen::VectorXd>(residuals, rows) = last_misfit_.residual;
         if (jacobians == nullptr || jacobians[0] == nullptr) return true;
-        Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> jacobian(
-            jacobians[0], rows, last_modelled_.jacobian.cols());
-        for (Eigen::Index column = 0; column < jacobian.cols(); ++column) {
-            const Bounds& bounds = problem.free[static_cast<std::size_t>(column)].bounds;
-            for (Eigen::Index row = 0; row < rows; ++row) {
-                jacobian(row, column) = last_modelled_.jacobian(row, column) * (bounds.upper - bounds.lower) /
-                                        problem.sigma[static_cast<std::size_t>(row)];
-            }
-        }
+        const std::vector<double> slopes = unit_box_slopes(problem, positions);
+        const Eigen::Map<const Eigen::VectorXd> slope(slopes.data(), last_misfit_.jacobian.cols());
+        Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+            jacobians[0], rows, last_misfit_.jacobian.cols()) = last_misfit_.jacobian * slope.asDiagonal();
         return true;
     }
 
@@ -44,7 +41,7 @@ private:
     const Objective* objective_;
     int* evaluations_;
     mutable std::vector<double> last_positions_;
-    mutable Objective::Modelled last_modelled_;
+    mutable Misfit last_misfit_;
 };
 
 /// The unit box without the held positions: a step that leads out of it ends on its surface. Ceres' own bounds cost a
@@ -122,7 +119,7 @@ ceres::Solver::Options solver_options() {
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::DENSE_QR;
     options.max_num_iterations = 100;
-    options.function_tolerance = 1e-10;  // of chi2, relative
+    options.function_tolerance = 1e-10;  // of the cost, relative
     options.gradient_tolerance = 1e-12;
     options.parameter_tolerance = 1e-9;  // of the unit box
     options.logging_type = ceres::SILENT;
@@ -145,17 +142,13 @@ ceres::Solver::Summary minimise_over(const Objective& objective, const std::vect
     return summary;
 }
 
-/// Which positions lie at a bound beyond which chi2 would fall.
+/// Which positions lie at a bound beyond which the cost would fall.
 std::vector<bool> pressed_against_bounds(const Objective& objective, const std::vector<double>& positions) {
-    const Objective::Modelled modelled = objective.model(from_unit_box(objective.problem(), positions));
-    const Eigen::VectorXd residuals = objective.residuals(modelled.reading);
+    const Misfit misfit = objective.misfit(from_unit_box(objective.problem(), positions));
+    const Eigen::VectorXd slopes = misfit.jacobian.transpose() * misfit.residual;
     std::vector<bool> pressed;
     for (std::size_t i = 0; i < positions.size(); ++i) {
-        double slope = 0.0;
-        for (Eigen::Index row = 0; row < residuals.size(); ++row) {
-            slope += residuals[row] * modelled.jacobian(row, static_cast<Eigen::Index>(i)) /
-                     objective.problem().sigma[static_cast<std::size_t>(row)];
-        }
+        const double slope = slopes[static_cast<Eigen::Index>(i)];
         pressed.push_back((positions[i] <= 0.0 && slope > 0.0) || (positions[i] >= 1.0 && slope < 0.0));
     }
     return pressed;
@@ -165,27 +158,27 @@ std::vector<bool> pressed_against_bounds(const Objective& objective, const std::
 
 Minimum minimise_by_ceres(const Objective& objective, std::span<const double> start) {
     std::vector<double> positions = to_unit_box(objective.problem(), start);
-    Minimum minimum;
+    int evaluations = 0;
+    std::string termination;
     // An active-set method around Ceres: what arrives at a bound is held there; once the rest has converged, what is
     // not pressed against its bound is released.
     constexpr int most_rounds = 50;
     std::vector<bool> held(positions.size(), false);
-    for (int round = 0; round < most_rounds && !minimum.converged; ++round) {
-        const ceres::Solver::Summary summary = minimise_over(objective, held, positions, minimum.evaluations);
-        minimum.termination = summary.message;
+    bool settled = false;
+    for (int round = 0; round < most_rounds && !settled; ++round) {
+        const ceres::Solver::Summary summary = minimise_over(objective, held, positions, evaluations);
+        termination = summary.message;
         if (summary.termination_type == ceres::USER_SUCCESS) {
             std::transform(positions.begin(), positions.end(), held.begin(), at_bound);
         } else if (summary.termination_type == ceres::CONVERGENCE) {
             const std::vector<bool> pressed = pressed_against_bounds(objective, positions);
-            minimum.converged = pressed == held;
+            settled = pressed == held;
             held = pressed;
         } else {
             break;
         }
     }
-    minimum.values = from_unit_box(objective.problem(), positions);
-    minimum.chi2 = objective.chi2(minimum.values);
-    return minimum;
+    return concluded(objective, positions, evaluations, termination);
 }
 
 }  // namespace skinfit

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "fit/minimum.hpp"
+
+namespace skinfit {
+
+/// A minimum of the cost, and how many searches ended there.
+struct DistinctMinimum {
+    Minimum minimum;
+    int searches = 0;
+};
+
+/// `count` points spread evenly over the unit box of `dimensions` dimensions: multiples of the generalised golden
+/// ratio [ROBERTS18], shifted at random as `seed` says.
+[[nodiscard]] std::vector<std::vector<double>> spread_points(std::size_t count, std::size_t dimensions,
+                                                             std::uint64_t seed);
+
+/// Minimises from `count` starts: the problem's, and points spread over its bounds. Each search goes over `cheap`, an
+/// approximation of `objective` on the same problem; the best distinct minima found there are then finished on
+/// `objective`. Two minima are one where the data cannot tell them apart: their linearised residuals differ by less
+/// than 0.1 sigma in all and their costs by less than 0.01. Best first; never empty. Evaluations are those of both.
+[[nodiscard]] std::vector<DistinctMinimum> distinct_minima(const Objective& cheap, const Objective& objective,
+                                                           Solver solver, std::size_t count);
+
+}  // namespace skinfit

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+#include "fit/configuration.hpp"
+
+namespace skinfit {
+
+/// The covariance of measurement minus model: the noise, independent from wavelength to wavelength, and the model's own
+/// smooth departure from real skin. For a departure of standard deviation s and length l between wavelengths d apart
+///
+///     squared_exponential: s^2 exp(-d^2 / (2 l^2))      matern_3_2: s^2 (1 + sqrt(3) d/l) exp(-sqrt(3) d/l)
+///
+/// [RASMUSSEN06, Eqs. 4.9, 4.17].
+class NoiseModel {
+public:
+    /// `sigma`: standard uncertainty of each value, one per wavelength, above 0.
+    NoiseModel(std::span<const double> wavelength_nm, std::span<const double> sigma,
+               const std::optional<Discrepancy>& discrepancy);
+
+    /// The inverse Cholesky factor of the covariance times `changes` (wavelengths x any): white, of unit variance.
+    [[nodiscard]] Eigen::MatrixXd whiten(const Eigen::MatrixXd& changes) const;
+
+private:
+    Eigen::VectorXd sigma_;
+    Eigen::MatrixXd factor_;  // lower Cholesky factor of the covariance; empty where it is diagonal
+};
+
+}  // namespace skinfit

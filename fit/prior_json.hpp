@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "fit/settings.hpp"
+
+namespace skinfit {
+
+/// Changes the priors of `configuration` by a word (`uniform`, `physiological`) or by an object that maps names of
+/// parameters and derived quantities to one of
+///   {"kind": "uniform"}, {"kind": "normal", "mean", "sigma"}, {"kind": "log_normal", "median", "sigma_log"},
+///   {"kind": "beta", "a", "b"},
+/// on top of the set named by its entry "set", if there is one. Throws InputError for anything else and for numbers out
+/// of range, as for a beta that has no maximum inside.
+void read_priors(Configuration& configuration, const Json& value, const std::string& where);
+
+/// The priors that are not uniform, in the form `read_priors` takes.
+[[nodiscard]] Json write_priors(const Configuration& configuration);
+
+/// The JSON Schema of that form.
+[[nodiscard]] Json priors_schema();
+
+/// One prior in words: "log-normal, median 0.0748, sigma_log 1.75".
+[[nodiscard]] std::string in_words(const Prior& prior);
+
+}  // namespace skinfit

@@ -1,0 +1,119 @@
+#include "fit/noise_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "fit/loss.hpp"
+#include "fit/runs_test.hpp"
+
+namespace skinfit::test {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+const std::vector<double> wavelength_nm = {400, 410, 425, 500, 505, 700};
+const std::vector<double> sigma = {0.003, 0.004, 0.003, 0.006, 0.003, 0.01};
+
+Eigen::MatrixXd covariance(const Discrepancy& discrepancy) {
+    Eigen::MatrixXd matrix(6, 6);
+    for (Eigen::Index a = 0; a < 6; ++a) {
+        for (Eigen::Index b = 0; b < 6; ++b) {
+            const double d =
+                std::abs(wavelength_nm[static_cast<std::size_t>(a)] - wavelength_nm[static_cast<std::size_t>(b)]) /
+                discrepancy.length_nm;
+            const double correlation = discrepancy.kernel == Kernel::squared_exponential
+                                           ? std::exp(-d * d / 2)
+                                           : (1 + std::sqrt(3.0) * d) * std::exp(-std::sqrt(3.0) * d);
+            matrix(a, b) = discrepancy.sigma * discrepancy.sigma * correlation +
+                           (a == b ? std::pow(sigma[static_cast<std::size_t>(a)], 2) : 0.0);
+        }
+    }
+    return matrix;
+}
+
+TEST(NoiseModel, WhitensItsCovariance) {
+    for (const Kernel kernel : {Kernel::squared_exponential, Kernel::matern_3_2}) {
+        const Discrepancy discrepancy{.sigma = 0.005, .length_nm = 30, .kernel = kernel};
+        const NoiseModel noise(wavelength_nm, sigma, discrepancy);
+        const Eigen::MatrixXd once = noise.whiten(covariance(discrepancy));
+        const Eigen::MatrixXd twice = noise.whiten(once.transpose());
+        // Condition number below 1e2, in some roundings per element.
+        EXPECT_LT((twice - Eigen::MatrixXd::Identity(6, 6)).cwiseAbs().maxCoeff(), 1e4 * epsilon);
+    }
+}
+
+TEST(NoiseModel, WithoutDiscrepancyDividesBySigma) {
+    const Eigen::VectorXd whitened = NoiseModel(wavelength_nm, sigma, std::nullopt).whiten(Eigen::VectorXd::Ones(6));
+    for (std::size_t i = 0; i < sigma.size(); ++i) {
+        EXPECT_NEAR(whitened[static_cast<Eigen::Index>(i)] * sigma[i], 1.0, 4 * epsilon);
+    }
+}
+
+TEST(NoiseModel, ASmallDiscrepancyIsNone) {
+    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(6);
+    const Eigen::VectorXd without = NoiseModel(wavelength_nm, sigma, std::nullopt).whiten(ones);
+    // A millionth of the noise changes a covariance by 1e-12 of its diagonal, times six neighbours.
+    const Discrepancy small{.sigma = 3e-9, .length_nm = 30};
+    EXPECT_LT((NoiseModel(wavelength_nm, sigma, small).whiten(ones) - without).norm(), 1e-11 * without.norm());
+}
+
+TEST(Loss, SquareIsItsRho) {
+    constexpr double c = 1.5;
+    for (const double r : {-20.0, -1.5, -0.3, 0.0, 1e-9, 1.49, 1.51, 7.0}) {
+        const double huber = std::abs(r) <= c ? r * r : 2 * c * std::abs(r) - c * c;
+        const double cauchy = c * c * std::log1p(r * r / (c * c));
+        EXPECT_NEAR(std::pow(softened(r, Loss::huber, c).value, 2), huber, 8 * epsilon * huber);
+        EXPECT_NEAR(std::pow(softened(r, Loss::cauchy, c).value, 2), cauchy, 8 * epsilon * cauchy);
+        EXPECT_EQ(softened(r, Loss::squares, c).value, r);
+    }
+}
+
+TEST(Loss, SlopeIsTheDerivative) {
+    constexpr double c = 1.5;
+    constexpr double h = 1e-5;
+    for (const Loss loss : {Loss::squares, Loss::huber, Loss::cauchy}) {
+        for (const double r : {-20.0, -1.0, 0.0, 1e-3, 1.4, 1.6, 7.0}) {
+            const double difference = (softened(r + h, loss, c).value - softened(r - h, loss, c).value) / (2 * h);
+            // Third derivatives are below 10: h^2 10/6; rounding: 20 epsilon / h.
+            EXPECT_NEAR(softened(r, loss, c).slope, difference, 2 * h * h + 40 * epsilon / h) << r;
+        }
+    }
+}
+
+/// By trying all orders of the signs.
+double counted_p_value(const std::vector<double>& residuals) {
+    const auto runs_of = [](unsigned bits, std::size_t n) {
+        int runs = 1;
+        for (std::size_t i = 1; i < n; ++i) runs += ((bits >> i) & 1U) != ((bits >> (i - 1)) & 1U) ? 1 : 0;
+        return runs;
+    };
+    unsigned own = 0;
+    for (std::size_t i = 0; i < residuals.size(); ++i) own |= residuals[i] > 0 ? 1U << i : 0U;
+    int all = 0;
+    int as_few = 0;
+    for (unsigned bits = 0; bits < 1U << residuals.size(); ++bits) {
+        if (std::popcount(bits) != std::popcount(own)) continue;
+        ++all;
+        as_few += runs_of(bits, residuals.size()) <= runs_of(own, residuals.size()) ? 1 : 0;
+    }
+    return static_cast<double>(as_few) / all;
+}
+
+TEST(RunsTest, CountsAllOrdersOfTheSigns) {
+    for (const std::vector<double>& residuals :
+         std::vector<std::vector<double>>{{1, -1},
+                                          {1, 1, 1, -1, -1, -1},
+                                          {1, -1, 1, -1, 1, -1, 1},
+                                          {-1, 2, 3, -4, -5},
+                                          {1, 1, 1, 1, 1, -1, -1, -1, 1, 1, -1, -1},
+                                          {1, 1, -1, 1, 1}}) {
+        EXPECT_NEAR(*runs_p_value(residuals), counted_p_value(residuals), 1e3 * epsilon);
+    }
+    EXPECT_FALSE(runs_p_value(std::vector<double>{1, 2, 3}));
+}
+
+}  // namespace
+}  // namespace skinfit::test
