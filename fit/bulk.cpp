@@ -143,8 +143,9 @@ Vector bounded_step(const Point& point, double damping) {
     return step;
 }
 
+/// Of a step, in standard deviations of what is fitted.
 double length_squared(const Point& point, const Vector& step) {
-    return step.dot(point.curvature * step);  // in standard deviations of what is fitted
+    return step.dot(point.curvature * step);
 }
 
 struct Path {
@@ -156,19 +157,21 @@ struct Path {
 /// Levenberg's and Marquardt's method from `start`; damping as [NIELSEN99] has it.
 Path minimise(const LeanModel& model, const Eigen::VectorXd& measured, const Vector& start) {
     constexpr int most_evaluations = 200;
-    constexpr double converged_step = 1e-4;
+    constexpr double converged = 1e-6;  // squared length of a step, in standard deviations of what is fitted
     constexpr double first_damping = 1e-3;
     Path path{.point = Point(model, measured, start), .converged = false, .evaluations = 1};
     double damping = first_damping;
     double growth = 2.0;
     while (path.evaluations < most_evaluations) {
         const Point& here = path.point;
-        if (length_squared(here, bounded_step(here, 0.0)) <= converged_step * converged_step) {
+        const Vector step = bounded_step(here, damping);
+        const double length = length_squared(here, step);
+        // A damped step may be short far from the minimum.
+        if (length <= converged && length_squared(here, bounded_step(here, 0.0)) <= converged) {
             path.converged = true;
             return path;
         }
-        const Vector step = bounded_step(here, damping);
-        const double expected = -2.0 * here.gradient.dot(step) - length_squared(here, step);
+        const double expected = -2.0 * here.gradient.dot(step) - length;
         Point there(model, measured, (here.positions + step).cwiseMax(0.0).cwiseMin(1.0));
         ++path.evaluations;
         const double gain = (here.chi2 - there.chi2) / expected;

@@ -23,7 +23,7 @@ struct BulkFit {
 struct BulkOptions {
     /// From so many of the closest synthetic spectra, far from each other in the box: a spectrum may have several
     /// minima, of which the lowest that is found counts.
-    int starts = 3;
+    int starts = 2;
 };
 
 /// Fits many spectra that share everything but the measured values: `problem` with each column of `spectra`,

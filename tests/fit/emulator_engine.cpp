@@ -160,10 +160,10 @@ TEST(FitInBulk, EndsWhereTheSingleFitEnds) {
         const Minimum minimum = minimise_by_ceres(objective, starts(problem));
         const Uncertainty uncertainty = estimate_uncertainty(objective, minimum);
         not_converged += fits[i].converged ? 0 : 1;
-        // A difference of a millionth of chi2 is another minimum: steps below 1e-4 sigma change chi2 by 1e-8.
+        // A difference of 1e-5 of chi2 is another minimum: steps below 1e-3 sigma change chi2 by 1e-6.
         const double difference = fits[i].chi2 - minimum.chi2;
-        higher += difference > 1e-6 * minimum.chi2 ? 1 : 0;
-        if (std::abs(difference) > 1e-6 * minimum.chi2) continue;
+        higher += difference > 1e-5 * minimum.chi2 ? 1 : 0;
+        if (std::abs(difference) > 1e-5 * minimum.chi2) continue;
         ++same;
         for (std::size_t j = 0; j < problem.free.size(); ++j) {
             const ParameterUncertainty& single = uncertainty.parameters[j];
