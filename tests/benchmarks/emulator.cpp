@@ -56,7 +56,7 @@ void bulk(benchmark::State& state) {
         experiment.values.skin.papillary_blood_fraction = 0.002 + 0.001 * (i % 50);
         Eigen::Index row = 0;
         for (const Reading& reading : read_by_emulator(experiment, problem.wavelength_nm, emulator, std::nullopt)) {
-            spectra(row, i) = reading.reflectance + 0.006 * ((i * 31 + row * 17) % 11 - 5) / 3.0;
+            spectra(row, i) = reading.reflectance + 0.002 * static_cast<double>((i * 31 + row * 17) % 11 - 5);
             ++row;
         }
     }
