@@ -124,18 +124,12 @@ PerLayer<double> optical_depth(const Skin& skin, const Extinction& extinction) {
 }
 
 PerLayer<double> optical_depth_derivative(const Skin& skin, const Extinction& extinction, Parameter parameter) {
-    const PerLayer<double> absorption = absorption_per_cm(skin, extinction);
-    switch (parameter) {
-        case Parameter::stratum_corneum_thickness_cm:
-            return {absorption[0], 0, 0, 0};
-        case Parameter::epidermis_thickness_cm:
-            return {0, absorption[1], 0, 0};
-        case Parameter::papillary_dermis_thickness_cm:
-            return {0, 0, absorption[2], 0};
-        case Parameter::reticular_dermis_thickness_cm:
-            return {0, 0, 0, absorption[3]};
-        default:
-            break;
+    if (parameter >= Parameter::stratum_corneum_thickness_cm && parameter <= Parameter::reticular_dermis_thickness_cm) {
+        const auto layer =
+            static_cast<std::size_t>(parameter) - static_cast<std::size_t>(Parameter::stratum_corneum_thickness_cm);
+        PerLayer<double> by_thickness{};
+        by_thickness[layer] = absorption_per_cm(skin, extinction)[layer];
+        return by_thickness;
     }
     PerLayer<double> derivative = absorption_derivative(skin, extinction, parameter);
     const PerLayer<double> thickness = thickness_cm(skin);

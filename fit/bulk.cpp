@@ -1,0 +1,265 @@
+#include "fit/bulk.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "fit/lean_model.hpp"
+#include "fit/minimum.hpp"
+
+namespace skinfit {
+namespace {
+
+using Index = Eigen::Index;
+/// Over the free parameters; on the stack.
+constexpr int most_free = static_cast<int>(parameter_count);
+using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_free, 1>;
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_free, most_free>;
+
+/// Synthetic spectra over the box, from the closest of which a fit starts.
+struct Starts {
+    Eigen::MatrixXd positions;  // free parameters x spectra
+    Eigen::MatrixXd readings;   // wavelengths x spectra, in sigmas
+
+    explicit Starts(const LeanModel& model, Index free_count) {
+        constexpr Index spectra = 512;
+        positions.resize(free_count, spectra);
+        // Kronecker's low-discrepancy sequence to the root of x^(free + 1) = x + 1; half of it crowded at the lower
+        // bounds, where spectra differ most.
+        double root = 2.0;
+        for (int i = 0; i < 60; ++i) root = std::pow(1.0 + root, 1.0 / static_cast<double>(free_count + 1));
+        for (Index column = 0; column < spectra; ++column) {
+            for (Index row = 0; row < free_count; ++row) {
+                const double turns = static_cast<double>(column + 1) * std::pow(root, -static_cast<double>(row + 1));
+                const double place = turns - std::floor(turns);
+                positions(row, column) = column % 2 == 0 ? place : place * place * place;
+            }
+            const Eigen::VectorXd reading =
+                model.at({positions.col(column).data(), static_cast<std::size_t>(free_count)}).reading;
+            if (column == 0) readings.resize(reading.size(), spectra);
+            readings.col(column) = reading;
+        }
+    }
+
+    /// The positions of the `count` closest spectra, none within half the box's width of a closer one.
+    [[nodiscard]] std::vector<Vector> closest(const Eigen::VectorXd& measured, int count) const {
+        constexpr double apart = 0.5;
+        Eigen::RowVectorXd distance = (readings.colwise() - measured).colwise().squaredNorm();
+        std::vector<Vector> found;
+        while (found.size() < static_cast<std::size_t>(count)) {
+            Index column = 0;
+            if (!std::isfinite(distance.minCoeff(&column))) break;
+            found.emplace_back(positions.col(column));
+            for (Index other = 0; other < distance.size(); ++other) {
+                if ((positions.col(other) - found.back()).norm() < apart) {
+                    distance[other] = std::numeric_limits<double>::infinity();
+                }
+            }
+        }
+        return found;
+    }
+};
+
+/// chi2 at some positions, half its gradient and half its approximate Hessian.
+struct Point {
+    Vector positions;
+    Eigen::VectorXd residuals;
+    double chi2;
+    Vector gradient;
+    Matrix curvature;
+
+    Point(const LeanModel& model, const Eigen::VectorXd& measured, const Vector& at) : positions(at) {
+        const LeanModel::Modelled modelled = model.at({at.data(), static_cast<std::size_t>(at.size())});
+        residuals = modelled.reading - measured;
+        chi2 = residuals.squaredNorm();
+        gradient.noalias() = modelled.jacobian.transpose() * residuals;
+        curvature.noalias() = modelled.jacobian.transpose() * modelled.jacobian;
+    }
+
+    /// Whether the position is at a bound beyond which chi2 would fall.
+    [[nodiscard]] bool pressed(Index i) const {
+        return (positions[i] <= 0.0 && gradient[i] > 0.0) || (positions[i] >= 1.0 && gradient[i] < 0.0);
+    }
+};
+
+/// The step to the minimum of the quadratic model within the box, `damping` times the diagonal added to its curvature:
+/// a primal active-set method, which lowers the model at every turn.
+Vector bounded_step(const Point& point, double damping) {
+    const Index size = point.positions.size();
+    constexpr double least_curvature = 1e-12;  // of the unit box: a direction without any effect
+    Matrix curvature = point.curvature;
+    curvature.diagonal() = curvature.diagonal() * (1.0 + damping) + Vector::Constant(size, least_curvature);
+    const Vector lowest = -point.positions;
+    const Vector highest = Vector::Ones(size) - point.positions;
+    Vector step = Vector::Zero(size);
+    std::array<bool, most_free> held{};
+    for (Index i = 0; i < size; ++i) held[static_cast<std::size_t>(i)] = point.pressed(i);
+    constexpr int most_turns = 10 * most_free;
+    for (int turn = 0; turn < most_turns; ++turn) {
+        // The minimum over what is not held: rows and columns of the others are those of the identity.
+        Matrix matrix = curvature;
+        Vector right = -point.gradient - curvature * step;
+        for (Index i = 0; i < size; ++i) {
+            if (!held[static_cast<std::size_t>(i)]) continue;
+            matrix.row(i).setZero();
+            matrix.col(i).setZero();
+            matrix(i, i) = 1.0;
+            right[i] = 0.0;
+        }
+        const Vector change = matrix.llt().solve(right);
+        double share = 1.0;
+        Index blocking = -1;
+        for (Index i = 0; i < size; ++i) {
+            const double room = (change[i] < 0.0 ? lowest[i] : highest[i]) - step[i];
+            if (std::abs(change[i]) * share <= std::abs(room)) continue;
+            share = room / change[i];
+            blocking = i;
+        }
+        step += share * change;
+        if (blocking >= 0) {
+            step[blocking] = change[blocking] < 0.0 ? lowest[blocking] : highest[blocking];
+            held[static_cast<std::size_t>(blocking)] = true;
+            continue;
+        }
+        // Let go of what is pulled into the box most.
+        const Vector slope = point.gradient + curvature * step;
+        Index pulled = -1;
+        double pull = 0.0;
+        for (Index i = 0; i < size; ++i) {
+            const double inward = step[i] <= lowest[i] ? -slope[i] : slope[i];
+            if (!held[static_cast<std::size_t>(i)] || inward <= pull) continue;
+            pull = inward;
+            pulled = i;
+        }
+        if (pulled < 0) break;
+        held[static_cast<std::size_t>(pulled)] = false;
+    }
+    return step;
+}
+
+/// Of a step, in standard deviations of what is fitted.
+double length_squared(const Point& point, const Vector& step) {
+    return step.dot(point.curvature * step);
+}
+
+struct Path {
+    Point point;
+    bool converged;
+    int evaluations;
+};
+
+/// Levenberg's and Marquardt's method from `start`; damping as [NIELSEN99] has it.
+Path minimise(const LeanModel& model, const Eigen::VectorXd& measured, const Vector& start) {
+    constexpr int most_evaluations = 200;
+    constexpr double converged = 1e-6;  // squared length of a step, in standard deviations of what is fitted
+    constexpr double first_damping = 1e-3;
+    Path path{.point = Point(model, measured, start), .converged = false, .evaluations = 1};
+    double damping = first_damping;
+    double growth = 2.0;
+    while (path.evaluations < most_evaluations) {
+        const Point& here = path.point;
+        const Vector step = bounded_step(here, damping);
+        const double length = length_squared(here, step);
+        // A damped step may be short far from the minimum.
+        if (length <= converged && length_squared(here, bounded_step(here, 0.0)) <= converged) {
+            path.converged = true;
+            return path;
+        }
+        const double expected = -2.0 * here.gradient.dot(step) - length;
+        Point there(model, measured, (here.positions + step).cwiseMax(0.0).cwiseMin(1.0));
+        ++path.evaluations;
+        const double gain = (here.chi2 - there.chi2) / expected;
+        if (gain > 0.0) {
+            path.point = std::move(there);
+            damping *= std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * gain - 1.0, 3.0));
+            growth = 2.0;
+        } else {
+            damping *= growth;
+            growth *= 2.0;
+        }
+    }
+    return path;
+}
+
+/// The lowest minimum from several starts; evaluations are those of all.
+Path lowest(const LeanModel& model, const Eigen::VectorXd& measured, const std::vector<Vector>& starts) {
+    Path best = minimise(model, measured, starts.front());
+    for (std::size_t i = 1; i < starts.size(); ++i) {
+        Path other = minimise(model, measured, starts[i]);
+        const int evaluations = best.evaluations + other.evaluations;
+        if (other.point.chi2 < best.point.chi2) best = std::move(other);
+        best.evaluations = evaluations;
+    }
+    return best;
+}
+
+BulkFit described(const FitProblem& problem, const Path& path) {
+    const Point& point = path.point;
+    const Index size = point.positions.size();
+    BulkFit fit{.converged = path.converged,
+                .values = from_unit_box(problem, {point.positions.data(), problem.free.size()}),
+                .statuses = std::vector<Status>(problem.free.size(), Status::free),
+                .covariance = Eigen::MatrixXd::Zero(size, size),
+                .chi2 = point.chi2,
+                .rmse = 0.0,
+                .evaluations = path.evaluations};
+    double squares = 0.0;
+    for (Index i = 0; i < point.residuals.size(); ++i) {
+        const double difference = point.residuals[i] * problem.sigma[static_cast<std::size_t>(i)];
+        squares += difference * difference;
+    }
+    fit.rmse = std::sqrt(squares / static_cast<double>(point.residuals.size()));
+    std::vector<Index> inner;
+    constexpr double touching = 1e-6;  // as `estimate_uncertainty`
+    for (Index i = 0; i < size; ++i) {
+        Status& status = fit.statuses[static_cast<std::size_t>(i)];
+        if (point.positions[i] <= touching && point.gradient[i] >= 0.0) status = Status::at_lower_bound;
+        if (point.positions[i] >= 1.0 - touching && point.gradient[i] <= 0.0) status = Status::at_upper_bound;
+        if (status == Status::free) inner.push_back(i);
+    }
+    if (inner.empty()) return fit;
+    Matrix curvature = point.curvature(inner, inner);
+    constexpr double least_curvature = 1e-12;  // a direction without any effect has a variance far beyond identifiable
+    curvature.diagonal().array() += least_curvature;
+    const Matrix covariance = curvature.ldlt().solve(Matrix::Identity(curvature.rows(), curvature.cols()));
+    for (std::size_t a = 0; a < inner.size(); ++a) {
+        const Bounds& bounds_a = problem.free[static_cast<std::size_t>(inner[a])].bounds;
+        constexpr double uniform_variance = 1.0 / 12.0;  // over the unit box
+        const double variance = covariance(static_cast<Index>(a), static_cast<Index>(a));
+        if (!(variance < uniform_variance)) {
+            fit.statuses[static_cast<std::size_t>(inner[a])] = Status::not_identifiable;
+        }
+        for (std::size_t b = 0; b < inner.size(); ++b) {
+            const Bounds& bounds_b = problem.free[static_cast<std::size_t>(inner[b])].bounds;
+            fit.covariance(inner[a], inner[b]) = covariance(static_cast<Index>(a), static_cast<Index>(b)) *
+                                                 (bounds_a.upper - bounds_a.lower) * (bounds_b.upper - bounds_b.lower);
+        }
+    }
+    return fit;
+}
+
+}  // namespace
+
+std::vector<BulkFit> fit_in_bulk(const FitProblem& problem, const Emulator& emulator, const Eigen::MatrixXd& spectra,
+                                 const BulkOptions& options) {
+    assert(options.starts > 0);
+    assert(spectra.rows() == static_cast<Index>(problem.wavelength_nm.size()));
+    const LeanModel model(problem, emulator);
+    const Starts starts(model, static_cast<Index>(problem.free.size()));
+    const Eigen::Map<const Eigen::VectorXd> sigma(problem.sigma.data(), spectra.rows());
+    std::vector<BulkFit> fits(static_cast<std::size_t>(spectra.cols()));
+    tbb::parallel_for(Index{0}, spectra.cols(), [&](Index column) {
+        const Eigen::VectorXd measured = spectra.col(column).cwiseQuotient(sigma);
+        fits[static_cast<std::size_t>(column)] =
+            described(problem, lowest(model, measured, starts.closest(measured, options.starts)));
+    });
+    return fits;
+}
+
+}  // namespace skinfit

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "fit/problem.hpp"
+#include "fit/uncertainty.hpp"
+#include "model/emulator.hpp"
+
+namespace skinfit {
+
+/// One of many fits.
+struct BulkFit {
+    bool converged = false;
+    std::vector<double> values;    ///< of the free parameters
+    std::vector<Status> statuses;  ///< of the free parameters: free, at a bound or not identifiable
+    Eigen::MatrixXd covariance;    ///< of the free parameters, from the noise; zero for those at a bound
+    double chi2 = 0.0;
+    double rmse = 0.0;    ///< of reading minus measurement, fraction
+    int evaluations = 0;  ///< of the model
+};
+
+struct BulkOptions {
+    /// From so many of the closest synthetic spectra, far from each other in the box: a spectrum may have several
+    /// minima, of which the lowest that is found counts.
+    int starts = 2;
+};
+
+/// Fits many spectra that share everything but the measured values: `problem` with each column of `spectra`,
+/// wavelengths x spectra, in place of `FitProblem::measured`. `emulator` must have been built for
+/// `emulator_domain(problem)`. Starts where the closest of some synthetic spectra lies, whatever the starts of the
+/// problem. Minimum and covariance are those of `fit_spectrum` with engine emulator; the same bits for any number of
+/// threads. A fit that ends badly has `converged` false.
+[[nodiscard]] std::vector<BulkFit> fit_in_bulk(const FitProblem& problem, const Emulator& emulator,
+                                               const Eigen::MatrixXd& spectra, const BulkOptions& options = {});
+
+}  // namespace skinfit

@@ -1,0 +1,64 @@
+#include "fit/lean_model.hpp"
+
+#include <utility>
+
+#include "fit/minimum.hpp"
+#include "fit/reading.hpp"
+
+namespace skinfit {
+
+using Index = Eigen::Index;
+
+LeanModel::LeanModel(const FitProblem& problem, Emulator emulator)
+    : problem_(&problem),
+      emulator_(std::move(emulator)),
+      pigments_(
+          extinctions(true_wavelengths_nm(problem.experiment, problem.wavelength_nm), problem.experiment.edition)) {}
+
+LeanModel::Modelled LeanModel::at(std::span<const double> positions) const {
+    Experiment experiment = problem_->experiment;
+    const std::vector<double> values = from_unit_box(*problem_, positions);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        value_of(experiment.values, problem_->free[i].parameter) = values[i];
+    }
+    const Skin& skin = experiment.values.skin;
+    const Instrument& instrument = experiment.values.instrument;
+    const std::vector<EmulatedShare> shares = emulator_.respond(optical_depths(skin, pigments_));
+    const bool collects_fraction =
+        problem_->quantity == Quantity::reflectance && experiment.specular == Specular::excluded;
+    const double surface = collected_surface(experiment, problem_->quantity) * emulator_.surface_share();
+    Modelled modelled{
+        .reading = Eigen::VectorXd(static_cast<Index>(shares.size())),
+        .jacobian = Eigen::MatrixXd(static_cast<Index>(shares.size()), static_cast<Index>(values.size()))};
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        const auto row = static_cast<Index>(i);
+        const double light = shares[i].share + surface;
+        modelled.reading[row] = (instrument.scale * light + instrument.offset) / problem_->sigma[i];
+        for (std::size_t j = 0; j < values.size(); ++j) {
+            const FreeParameter& free = problem_->free[j];
+            double by = 0.0;
+            switch (free.parameter) {
+                case Parameter::scale:
+                    by = light;
+                    break;
+                case Parameter::offset:
+                    by = 1.0;
+                    break;
+                case Parameter::specular_fraction:
+                    by = collects_fraction ? instrument.scale * emulator_.surface_share() : 0.0;
+                    break;
+                default: {
+                    const PerLayer<double> depth_by = optical_depth_derivative(skin, pigments_[i], free.parameter);
+                    for (std::size_t layer = 0; layer < layer_count; ++layer) {
+                        by += instrument.scale * shares[i].by_optical_depth[layer] * depth_by[layer];
+                    }
+                }
+            }
+            modelled.jacobian(row, static_cast<Index>(j)) =
+                by * (free.bounds.upper - free.bounds.lower) / problem_->sigma[i];
+        }
+    }
+    return modelled;
+}
+
+}  // namespace skinfit

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "fit/problem.hpp"
+#include "model/chromophores.hpp"
+#include "model/emulator.hpp"
+
+namespace skinfit {
+
+/// The readings of one problem by its emulator, as `Objective` has them, with everything done beforehand that does not
+/// depend on the free parameters. Refers to the problem, which must outlive it.
+class LeanModel {
+public:
+    LeanModel(const FitProblem& problem, Emulator emulator);
+
+    /// In sigmas of each wavelength, and by the positions of the free parameters between their bounds, 0 to 1.
+    struct Modelled {
+        Eigen::VectorXd reading;
+        Eigen::MatrixXd jacobian;  ///< wavelengths x free parameters
+    };
+    [[nodiscard]] Modelled at(std::span<const double> positions) const;
+
+private:
+    const FitProblem* problem_;
+    Emulator emulator_;
+    std::vector<Extinction> pigments_;
+};
+
+}  // namespace skinfit
