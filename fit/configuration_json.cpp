@@ -1,10 +1,13 @@
 #include "fit/configuration_json.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <set>
 
 #include "core/input_error.hpp"
 #include "core/text.hpp"
@@ -12,11 +15,16 @@
 namespace skinfit {
 namespace {
 
-/// The known key that `key` probably means: one of which it is a part, else the one the fewest edits away.
-std::string_view closest(std::string_view key, const std::vector<std::string_view>& known) {
+/// What to do about an unknown `key`: the known one of which it is a part or a misspelling, or all of a few.
+std::string remedy_for(std::string_view key, const std::vector<std::string_view>& known) {
+    constexpr std::size_t few = 4;
+    constexpr std::size_t telling = 3;  // characters
     const auto longer =
         std::ranges::find_if(known, [key](std::string_view name) { return name.find(key) != std::string_view::npos; });
-    return longer != known.end() ? *longer : nearest_name(key, known);
+    if (longer != known.end() && key.size() >= telling) return fmt::format("did you mean \"{}\"?", *longer);
+    if (const auto similar = similar_name(key, known)) return fmt::format("did you mean \"{}\"?", *similar);
+    if (known.size() <= few) return fmt::format("give one of {}", fmt::join(known, ", "));
+    return "see `skinfit config show` for the names";
 }
 
 [[noreturn]] void refuse_unknown(const std::string& where, std::string_view key,
@@ -30,7 +38,18 @@ std::string_view closest(std::string_view key, const std::vector<std::string_vie
     throw InputError({.where = where,
                       .problem = fmt::format("unknown name {}", shown(std::string(key))),
                       .why = "it would have no effect",
-                      .remedy = fmt::format("did you mean \"{}\"?", closest(key, known))});
+                      .remedy = remedy_for(key, known)});
+}
+
+[[noreturn]] void refuse_misplaced(const std::string& where, std::string_view what, const std::string& remedy) {
+    throw InputError({.where = where,
+                      .problem = fmt::format("is {}", what),
+                      .why = "settings and parameters have places of their own",
+                      .remedy = remedy});
+}
+
+bool is_setting(std::string_view key) {
+    return std::ranges::find(setting_table(), key, &Setting::name) != setting_table().end();
 }
 
 void require_object(const Json& json, const std::string& where) {
@@ -90,6 +109,9 @@ void read_parameters(Configuration& configuration, const Json& json, const std::
     require_object(json, where);
     for (const auto& [key, value] : json.items()) {
         const std::optional<Parameter> parameter = find_parameter(key);
+        if (!parameter && is_setting(key)) {
+            refuse_misplaced(where + "." + key, "a setting", "move it out of \"parameters\"");
+        }
         if (!parameter) refuse_unknown(where, key, parameter_names());
         read_parameter(configuration, info(*parameter), value, where + "." + key);
     }
@@ -109,17 +131,37 @@ void read_free(Configuration& configuration, const Json& json, const std::string
 }
 
 /// The value of "key=value": JSON where it reads as a JSON scalar, else a number or a word.
-Json scalar(std::string_view text) {
+Json scalar(std::string_view text, const std::string& where) {
     const Json json = Json::parse(text, nullptr, false);
     if (json.is_number() || json.is_null()) return json;
     const std::optional<double> number = parse_number(text);
     if (number && std::isfinite(*number)) return *number;
+    double ignored = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), ignored);
+    if (error == std::errc::result_out_of_range && end == text.data() + text.size()) {
+        throw InputError({.where = where,
+                          .problem = fmt::format("{} cannot be used", text),
+                          .why = "it is beyond the range of double precision",
+                          .remedy = "correct it; `skinfit config schema` has the limits"});
+    }
     return std::string(text);
 }
 
 Json parsed(std::string_view text, const std::string& where) {
+    std::vector<std::set<std::string>> keys;  // of each object that is open
+    const auto refuse_again = [&](int, Json::parse_event_t event, const Json& json) {
+        if (event == Json::parse_event_t::object_start) keys.emplace_back();
+        if (event == Json::parse_event_t::object_end) keys.pop_back();
+        if (event == Json::parse_event_t::key && !keys.back().insert(json.get<std::string>()).second) {
+            throw InputError({.where = where,
+                              .problem = fmt::format("gives {} twice", shown(json)),
+                              .why = "only one of them could hold",
+                              .remedy = "keep one of the two"});
+        }
+        return true;
+    };
     try {
-        return Json::parse(text, nullptr, true, true);
+        return Json::parse(text, refuse_again, true, true);
     } catch (const Json::parse_error& error) {
         const auto line = 1 + std::ranges::count(text.substr(0, std::max<std::size_t>(error.byte, 1) - 1), '\n');
         // "[...] parse error at ...: syntax error while parsing ... - what was found; what was expected"
@@ -165,6 +207,8 @@ Configuration configured(Configuration configuration, const Json& json, const st
             read_free(configuration, value, here);
         } else if (key == "parameters") {
             read_parameters(configuration, value, here);
+        } else if (find_parameter(key)) {
+            refuse_misplaced(here, "a parameter", fmt::format("write \"parameters\": {{\"{}\": ...}}", key));
         } else {
             refuse_unknown(where, key, known);
         }
@@ -178,10 +222,13 @@ Configuration configured_by_text(const Configuration& configuration, std::string
 
 Configuration configured_by_word(Configuration configuration, std::string_view key, std::string_view text,
                                  const std::string& where) {
-    const Json value = scalar(text);
+    const Json value = scalar(text, where);
     if (const std::optional<Parameter> parameter = find_parameter(key)) {
         read_parameter(configuration, info(*parameter), value, where);
         return configuration;
+    }
+    if (key == "free") {
+        refuse_misplaced(where, "a list", "name parameters with --free NAME,NAME and --fix NAME,NAME");
     }
     const auto setting = std::ranges::find(setting_table(), key, &Setting::name);
     if (setting == setting_table().end()) {

@@ -17,7 +17,8 @@ Minimum minimise(const Objective& objective, Solver solver, std::span<const doub
 
 ForwardModel make_model(const FitProblem& problem, Engine engine, const EnsembleCache& cache) {
     if (engine == Engine::solver) return angular_solver(problem.experiment);
-    return cached_ensemble(problem.experiment.sample(), true_wavelengths_nm(problem.experiment, problem.wavelength_nm), problem.walk, cache);
+    return cached_ensemble(problem.experiment.sample(), true_wavelengths_nm(problem.experiment, problem.wavelength_nm),
+                           problem.walk, cache);
 }
 
 /// Where to start: with an ensemble at the minimum over a small part of it, which is most of the way for little of the
