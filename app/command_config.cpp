@@ -3,6 +3,7 @@
 #include "app/commands.hpp"
 #include "app/shared_options.hpp"
 #include "core/file.hpp"
+#include "fit/configuration_check.hpp"
 #include "fit/configuration_json.hpp"
 
 namespace skinfit {
@@ -22,7 +23,7 @@ void add_config_command(CLI::App& app, int& exit_code) {
     const auto file = std::make_shared<std::string>();
     check->add_option("FILE", *file, "JSON file")->required()->type_name("");
     check->callback([file, &exit_code] {
-        (void)configured_by_text(default_configuration(), read_file(*file), *file);
+        check_configuration(configured_by_text(default_configuration(), read_file(*file), *file), *file);
         write_stdout(fmt::format("{}: good\n", *file));
         exit_code = trustworthy_result;
     });

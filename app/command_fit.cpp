@@ -3,6 +3,7 @@
 #include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "fit/configuration_json.hpp"
+#include "fit/file_settings.hpp"
 #include "fit/fit.hpp"
 #include "fit/report.hpp"
 #include "measurements/text_reader.hpp"
@@ -23,8 +24,8 @@ struct FitCommand {
     std::filesystem::path samples;
 };
 
-Configuration fit_configuration(const FitCommand& command) {
-    Configuration configuration = configuration_from(command.shared);
+Configuration fit_configuration(const FitCommand& command, const Configuration& defaults) {
+    Configuration configuration = configuration_from(command.shared, defaults);
     if (!command.solver.empty()) {
         configuration = configured_by_word(configuration, "solver", command.solver, "--solver");
     }
@@ -33,9 +34,7 @@ Configuration fit_configuration(const FitCommand& command) {
     }
     if (!command.column.empty()) configuration.column = command.column;
     if (!command.unit.empty()) configuration = configured_by_word(configuration, "unit", command.unit, "--unit");
-    for (const std::string& names : command.free) configuration = with_freedom(configuration, names, true, "--free");
-    for (const std::string& names : command.fix) configuration = with_freedom(configuration, names, false, "--fix");
-    return configuration;
+    return with_free_and_fixed(configuration, command.free, command.fix);
 }
 
 void check_samples(const FitCommand& command, const Configuration& configuration) {
@@ -52,10 +51,13 @@ void check_samples(const FitCommand& command, const Configuration& configuration
 }
 
 int run(const FitCommand& command) {
-    const Configuration configuration = fit_configuration(command);
+    const Configuration stated = fit_configuration(command, default_configuration());
     check_output(command.shared, {command.file});
+    const Spectrum spectrum = read_spectrum(command.file, {.column = stated.column, .unit = stated.unit});
+    // What the file states holds where the configuration does not state it.
+    const Configuration configuration =
+        fit_configuration(command, with_file_settings(default_configuration(), spectrum));
     check_samples(command, configuration);
-    const Spectrum spectrum = read_spectrum(command.file, {.column = configuration.column, .unit = configuration.unit});
     const auto limit = thread_limit(command.shared);
     const FitResult result = fit_spectrum(configuration, spectrum,
                                           {.cross_check = command.cross_check, .cache = cache_from(command.shared)});

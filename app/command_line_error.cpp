@@ -44,14 +44,20 @@ std::vector<std::string> option_names(const CLI::App& app) {
     return names;
 }
 
-std::string_view nearest(std::string_view name, const std::vector<std::string>& names) {
-    return nearest_name(name, std::vector<std::string_view>(names.begin(), names.end()));
+/// The known name that `name` probably means, as the beginning of a remedy; empty where none is similar.
+std::string suggestion(std::string_view name, const std::vector<std::string>& names, const std::string& form) {
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    const std::optional<std::string_view> similar = similar_name(name, known);
+    return similar ? fmt::format(fmt::runtime(form), *similar) : "";
 }
 
 /// Why the command line cannot be used although all of its words are known.
 std::string reason(const CLI::ParseError& error, const std::string& command) {
     if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) return fmt::format("`{}` needs it", command);
-    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) return "an option's value is missing";
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+        const bool again = std::string_view(error.what()).find("At Most") != std::string_view::npos;
+        return again ? "it is given more than once" : "an option's value is missing";
+    }
     return "this value is not accepted";
 }
 
@@ -63,13 +69,13 @@ Complaint unknown_word(const Place& place, const std::string& word) {
         return {.where = "command line",
                 .problem = fmt::format("unknown option {}", option),
                 .why = fmt::format("`{}` does not have it", place.words),
-                .remedy = fmt::format("did you mean {}? Else {}", nearest(option, option_names(*place.command)), see)};
+                .remedy = suggestion(option, option_names(*place.command), "did you mean {}? Else ") + see};
     }
     if (!commands.empty()) {
         return {.where = "command line",
                 .problem = fmt::format("unknown command \"{}\"", word),
                 .why = fmt::format("it is none of {}", fmt::join(commands, ", ")),
-                .remedy = fmt::format("did you mean `{} {}`?", place.words, nearest(word, commands))};
+                .remedy = suggestion(word, commands, "did you mean `" + place.words + " {}`? Else ") + see};
     }
     return {.where = "command line",
             .problem = fmt::format("\"{}\" is one word too many", word),

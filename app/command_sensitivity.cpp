@@ -24,9 +24,7 @@ Configuration sensitivity_configuration(const SensitivityCommand& command) {
     };
     take("wavelengths", command.wavelengths);
     take("quantity", command.quantity);
-    for (const std::string& names : command.free) configuration = with_freedom(configuration, names, true, "--free");
-    for (const std::string& names : command.fix) configuration = with_freedom(configuration, names, false, "--fix");
-    return configuration;
+    return with_free_and_fixed(configuration, command.free, command.fix);
 }
 
 int run(const SensitivityCommand& command) {

@@ -12,6 +12,21 @@
 
 namespace skinfit {
 
+namespace {
+
+/// Throws InputError where writing to `out` would replace `input`.
+void refuse_replacing(const std::filesystem::path& out, const std::filesystem::path& input) {
+    std::error_code error;
+    if (input.empty() || !std::filesystem::is_regular_file(input, error)) return;
+    if (!std::filesystem::equivalent(out, input, error) || error) return;
+    throw InputError({.where = fmt::format("--out {}", out.string()),
+                      .problem = "is a file that is read",
+                      .why = "the output would replace it",
+                      .remedy = "name another file"});
+}
+
+}  // namespace
+
 void add_shared_options(CLI::App& command, SharedOptions& options, const std::vector<std::string>& formats) {
     options.format = formats.front();
     command.add_option("--config", options.config, "JSON file of settings; see `skinfit config show`")
@@ -38,6 +53,27 @@ Configuration configuration_from(const SharedOptions& options, const Configurati
         configuration = configured_by_assignment(configuration, assignment);
     }
     return configuration;
+}
+
+Configuration with_free_and_fixed(const Configuration& configuration, const std::vector<std::string>& free,
+                                  const std::vector<std::string>& fix) {
+    Configuration freed = configuration;
+    Configuration changed = configuration;
+    freed.free.fill(false);
+    for (const std::string& names : free) {
+        freed = with_freedom(freed, names, true, "--free");
+        changed = with_freedom(changed, names, true, "--free");
+    }
+    for (const std::string& names : fix) {
+        const Configuration unfreed = with_freedom(freed, names, false, "--fix");
+        changed = with_freedom(changed, names, false, "--fix");
+        if (unfreed.free == freed.free) continue;
+        throw InputError({.where = fmt::format("--fix {}", names),
+                          .problem = "names a parameter of --free",
+                          .why = "it cannot be adjusted and held at once",
+                          .remedy = "leave it out of one of the two"});
+    }
+    return changed;
 }
 
 EnsembleCache cache_from(const SharedOptions& options) {
@@ -73,17 +109,6 @@ void write_output(const SharedOptions& options, const std::string& text) {
     } else {
         write_file_atomically(options.out, text);
     }
-}
-
-/// Throws InputError where writing to `out` would replace `input`.
-static void refuse_replacing(const std::filesystem::path& out, const std::filesystem::path& input) {
-    std::error_code error;
-    if (input.empty() || !std::filesystem::is_regular_file(input, error)) return;
-    if (!std::filesystem::equivalent(out, input, error) || error) return;
-    throw InputError({.where = fmt::format("--out {}", out.string()),
-                      .problem = "is a file that is read",
-                      .why = "the output would replace it",
-                      .remedy = "name another file"});
 }
 
 void check_output(const SharedOptions& options, const std::vector<std::filesystem::path>& inputs) {

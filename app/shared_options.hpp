@@ -31,6 +31,12 @@ void add_shared_options(CLI::App& command, SharedOptions& options, const std::ve
 [[nodiscard]] Configuration configuration_from(const SharedOptions& options,
                                                const Configuration& defaults = default_configuration());
 
+/// `configuration` with the parameters of --free adjusted and those of --fix held. Throws InputError for one named in
+/// both.
+[[nodiscard]] Configuration with_free_and_fixed(const Configuration& configuration,
+                                                const std::vector<std::string>& free,
+                                                const std::vector<std::string>& fix);
+
 /// The cache for recorded walks as the options ask for; its messages go to stderr.
 [[nodiscard]] EnsembleCache cache_from(const SharedOptions& options);
 

@@ -76,4 +76,10 @@ std::string_view nearest_name(std::string_view name, std::span<const std::string
     return *std::ranges::min_element(names, {}, [name](std::string_view known) { return edit_distance(name, known); });
 }
 
+std::optional<std::string_view> similar_name(std::string_view name, std::span<const std::string_view> names) {
+    const std::string_view nearest = nearest_name(name, names);
+    if (3 * edit_distance(name, nearest) > name.size()) return std::nullopt;
+    return nearest;
+}
+
 }  // namespace skinfit

@@ -27,4 +27,8 @@ namespace skinfit {
 /// The name of `names` with the least edit distance to `name`; `names` must not be empty.
 [[nodiscard]] std::string_view nearest_name(std::string_view name, std::span<const std::string_view> names);
 
+/// The same where at most a third of the characters of `name` have to be edited: a slip rather than another word.
+[[nodiscard]] std::optional<std::string_view> similar_name(std::string_view name,
+                                                           std::span<const std::string_view> names);
+
 }  // namespace skinfit

@@ -1,10 +1,13 @@
 #include "fit/configuration_json.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <set>
 
 #include "core/input_error.hpp"
 #include "core/text.hpp"
@@ -12,6 +15,17 @@
 
 namespace skinfit {
 namespace {
+
+[[noreturn]] void refuse_misplaced(const std::string& where, std::string_view what, const std::string& remedy) {
+    throw InputError({.where = where,
+                      .problem = fmt::format("is {}", what),
+                      .why = "settings and parameters have places of their own",
+                      .remedy = remedy});
+}
+
+bool is_setting(std::string_view key) {
+    return std::ranges::find(setting_table(), key, &Setting::name) != setting_table().end();
+}
 
 std::vector<std::string_view> parameter_names() {
     std::vector<std::string_view> names;
@@ -62,6 +76,9 @@ void read_parameters(Configuration& configuration, const Json& json, const std::
     require_object(json, where, "see `skinfit config show` for the form");
     for (const auto& [key, value] : json.items()) {
         const std::optional<Parameter> parameter = find_parameter(key);
+        if (!parameter && is_setting(key)) {
+            refuse_misplaced(where + "." + key, "a setting", "move it out of \"parameters\"");
+        }
         if (!parameter) refuse_unknown(where, key, parameter_names());
         read_parameter(configuration, info(*parameter), value, where + "." + key);
     }
@@ -81,11 +98,19 @@ void read_free(Configuration& configuration, const Json& json, const std::string
 }
 
 /// The value of "key=value": JSON where it reads as a number, null, a list or an object, else a number or a word.
-Json assigned_value(std::string_view text) {
+Json assigned_value(std::string_view text, const std::string& where) {
     const Json json = Json::parse(text, nullptr, false);
     if (json.is_number() || json.is_null() || json.is_structured()) return json;
     const std::optional<double> number = parse_number(text);
     if (number && std::isfinite(*number)) return *number;
+    double ignored = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), ignored);
+    if (error == std::errc::result_out_of_range && end == text.data() + text.size()) {
+        throw InputError({.where = where,
+                          .problem = fmt::format("{} cannot be used", text),
+                          .why = "it is beyond the range of double precision",
+                          .remedy = "correct it; `skinfit config schema` has the limits"});
+    }
     return std::string(text);
 }
 
@@ -116,6 +141,8 @@ Configuration configured(Configuration configuration, const Json& json, const st
             read_free(configuration, value, here);
         } else if (key == "parameters") {
             read_parameters(configuration, value, here);
+        } else if (find_parameter(key)) {
+            refuse_misplaced(here, "a parameter", fmt::format("write \"parameters\": {{\"{}\": ...}}", key));
         } else {
             refuse_unknown(where, key, known);
         }
@@ -129,10 +156,13 @@ Configuration configured_by_text(const Configuration& configuration, std::string
 
 Configuration configured_by_word(Configuration configuration, std::string_view key, std::string_view text,
                                  const std::string& where) {
-    const Json value = assigned_value(text);
+    const Json value = assigned_value(text, where);
     if (const std::optional<Parameter> parameter = find_parameter(key)) {
         read_parameter(configuration, info(*parameter), value, where);
         return configuration;
+    }
+    if (key == "free") {
+        refuse_misplaced(where, "a list", "name parameters with --free NAME,NAME and --fix NAME,NAME");
     }
     const auto setting = std::ranges::find(setting_table(), key, &Setting::name);
     if (setting == setting_table().end()) {

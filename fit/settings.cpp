@@ -21,9 +21,14 @@ constexpr std::array<std::string_view, solver_count> solver_names = {"ceres", "b
 constexpr std::array<std::string_view, 2> unit_names = {"fraction", "percent"};
 
 std::uint64_t read_count(const Json& value, std::uint64_t lowest, std::uint64_t highest, const std::string& where) {
-    const Range range{static_cast<double>(lowest), static_cast<double>(highest)};
-    const double number = read_number(value, range, where);
-    if (number != std::floor(number)) refuse(where, value, "a whole number is needed", "leave out the decimals");
+    const std::string remedy = fmt::format("give a whole number from {} to {}", lowest, highest);
+    if (!value.is_number()) refuse(where, value, "a number is needed", remedy);
+    const double number = value.get<double>();
+    if (number != std::floor(number)) refuse(where, value, "a whole number is needed", remedy);
+    // As doubles two neighbouring large counts may be the same.
+    const bool too_large = value.is_number_integer() && number > 0.0 ? value.get<std::uint64_t>() > highest
+                                                                     : number > static_cast<double>(highest);
+    if (number < static_cast<double>(lowest) || too_large) refuse(where, value, "out of range", remedy);
     return value.is_number_integer() ? value.get<std::uint64_t>() : static_cast<std::uint64_t>(number);
 }
 
@@ -91,9 +96,11 @@ Setting layers() {
             "4: whole skin; 2: separated stratum corneum and epidermis",
             {{"enum", {2, 4}}},
             [](Configuration& configuration, const Json& value, const std::string& where) {
-                const double layers = read_number(value, {2, 4}, where);
-                if (layers != 2 && layers != 4) refuse(where, value, "2 or 4 is needed", "give 4 for whole skin");
-                configuration.layers = static_cast<int>(layers);
+                if (value != 2 && value != 4) {
+                    refuse(where, value, "2 or 4 is needed",
+                           "give 4 for whole skin, 2 for separated stratum corneum and epidermis");
+                }
+                configuration.layers = value.get<int>();
             },
             [](const Configuration& configuration) { return Json(configuration.layers); }};
 }
@@ -180,7 +187,7 @@ Setting wavelengths() {
 std::vector<Setting> general_settings() {
     constexpr std::uint64_t fewest_rays = 1000;
     constexpr std::uint64_t most_rays = 10'000'000'000;
-    constexpr std::uint64_t largest_seed = 9'007'199'254'740'992;  // 2^53: exact in any JSON reader
+    constexpr std::uint64_t largest_seed = 9'007'199'254'740'991;  // 2^53 - 1: exact in any JSON reader
     return {
         named("edition", "which reading of the model's paper: see model/REFERENCES.md", edition_names,
               &Configuration::edition),
@@ -243,8 +250,9 @@ std::size_t read_choice(const Json& value, std::span<const std::string_view> nam
     const std::string text = value.is_string() ? value.get<std::string>() : shown(value);
     const auto found = std::ranges::find(names, text);
     if (found == names.end()) {
+        const std::optional<std::string_view> similar = similar_name(text, names);
         refuse(where, value, fmt::format("one of {} is needed", fmt::join(names, ", ")),
-               fmt::format("did you mean {}?", nearest_name(text, names)));
+               similar ? fmt::format("did you mean {}?", *similar) : "give one of these");
     }
     return static_cast<std::size_t>(found - names.begin());
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <utility>
@@ -45,6 +46,20 @@ double angle(const Columns& columns, const Note& note, double lowest_deg, double
     return *degrees;
 }
 
+/// Refuses a key that is almost one that changes what is read: in other letters, cut short or misspelt.
+void refuse_slip(const Columns& columns, const Note& note) {
+    static constexpr std::array<std::string_view, 5> known = {"quantity", "unit", "specular", "incidence_deg",
+                                                              "viewing_cone_deg"};
+    const std::string key = lower_case(note.key);
+    const auto cut = std::ranges::find_if(known, [&](std::string_view name) { return name.starts_with(key + "_"); });
+    const std::optional<std::string_view> meant = cut != known.end() ? *cut : similar_name(key, known);
+    if (!meant) return;
+    throw InputError({.where = at_line(columns, note.line),
+                      .problem = fmt::format("unknown key {}", in_quotes(note.key)),
+                      .why = "it would have no effect",
+                      .remedy = fmt::format("write {}: ... as the key, or reword the comment", *meant)});
+}
+
 }  // namespace
 
 Description read_description(const Columns& columns) {
@@ -72,6 +87,9 @@ Description read_description(const Columns& columns) {
         } else if (note.key == "specimen") {
             description.specimen = note.value;
         } else {
+            refuse_slip(columns, note);
+            description.notes.push_back(
+                {.line = note.line, .key = std::string(note.key), .value = std::string(note.value)});
             continue;
         }
         if (const auto [first, is_new] = line_of_key.emplace(note.key, note.line); !is_new) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,13 @@ struct Geometry {
     std::optional<double> viewing_cone_deg{};  ///< half angle about the normal, above 0 to 90
 };
 
+/// A comment `key: value` of a file that says nothing about the measurement.
+struct FileNote {
+    std::size_t line;  ///< counted from 1
+    std::string key;
+    std::string value;
+};
+
 /// A measured spectrum. The three vectors go together: entry i of each belongs to one wavelength.
 struct Spectrum {
     std::string name;                   ///< of the specimen: as its file says, else the column chosen, else the file
@@ -24,7 +32,8 @@ struct Spectrum {
     std::vector<double> sigma;          ///< standard uncertainty of `value`, above 0; empty where not given
     std::optional<Quantity> quantity;   ///< where the file says so
     Geometry geometry;
-    std::string unit_rule;  ///< how the unit of the values was found, in words
+    std::string unit_rule;          ///< how the unit of the values was found, in words
+    std::vector<FileNote> notes{};  ///< in the order of the file
 };
 
 }  // namespace skinfit

@@ -133,6 +133,7 @@ Spectrum parse_spectrum(std::string_view text, const std::string& source, const 
     spectrum.quantity = named ? named : description.quantity;
     spectrum.geometry = description.geometry;
     spectrum.unit_rule = found.rule;
+    spectrum.notes = description.notes;
     for (const Point& point : points) {
         spectrum.wavelength_nm.push_back(point.wavelength_nm);
         spectrum.value.push_back(point.value);

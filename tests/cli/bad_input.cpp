@@ -112,6 +112,27 @@ TEST_F(BadInput, KeysAndValues) {
                    "no parameter is free");
 }
 
+TEST_F(BadInput, SlipsAndContradictions) {
+    put("twice.json", R"({"seed": 1, "parameters": {"scale": 1}, "seed": 2})");
+    put("misplaced.json", R"({"melanosome_fraction": 0.1})");
+    put("start.json", R"({"parameters": {"bilirubin_g_per_l": 20}})");
+    put("outside.json", R"({"wavelengths": "400:900:10"})");
+    expect_refused({"config", "check", "twice.json"}, "gives \"seed\" twice");
+    expect_refused({"config", "check", "misplaced.json"}, "write \"parameters\": {\"melanosome_fraction\": ...}");
+    expect_refused({"config", "check", "start.json"}, "bilirubin_g_per_l: starts at 20, outside its bounds");
+    expect_refused({"config", "check", "outside.json"}, "wavelengths: 400 to 900 nm reaches outside the tables");
+    expect_refused({"fit", "good.csv", "--free", "scale", "--fix", "offset,scale"}, "--fix offset,scale: names a");
+    expect_refused({"fit", "good.csv", "--solver", "ceres", "--solver", "ceres"}, "given more than once");
+    expect_refused({"fit", "good.csv", "--set", "free=scale"}, "--free NAME,NAME");
+    expect_refused({"fit", "good.csv", "--set", "xyzzy=1"}, "see `skinfit config show`");
+    expect_refused({"simulate", "--set", "layers=4.5"}, "2 or 4 is needed");
+    expect_refused({"simulate", "--set", "scale=1e400"}, "beyond the range of double precision");
+    expect_refused({"simulate", "--seed", "9007199254740992"}, "give a whole number from 0 to 9007199254740991");
+    expect_spectrum_refused("# incidence: 45\n" + good_spectrum, "bad.csv:1: unknown key 'incidence'");
+    expect_spectrum_refused("# layers: 3\n" + good_spectrum, "bad.csv:1: layers: 3 cannot be used");
+    expect_spectrum_refused("# edition: printed\n# edition: revised\n" + good_spectrum, "is given again");
+}
+
 TEST_F(BadInput, Outputs) {
     const Arguments quick = {"simulate", "--wavelengths", "500", "--rays", "1000", "--no-cache"};
     const auto with_out = [&quick](const std::string& out) {

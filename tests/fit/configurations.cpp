@@ -228,7 +228,7 @@ TEST(ConfigurationJson, UnknownKeysNameTheNearest) {
          {std::pair{R"({"sead": 1})", "\"seed\""}, std::pair{R"({"wavelength": 1})", "\"wavelengths\""},
           std::pair{R"({"free": ["melanosome"]})", "\"melanosome_fraction\""},
           std::pair{R"({"parameters": {"oxygen_saturaton": 1}})", "\"oxygen_saturation\""},
-          std::pair{R"({"parameters": {"scale": {"max": 1}}})", "did you mean"}}) {
+          std::pair{R"({"parameters": {"scale": {"max": 1}}})", "give one of value, lower, upper"}}) {
         EXPECT_NE(refusal(text).find(nearest), std::string::npos) << refusal(text);
     }
 }
