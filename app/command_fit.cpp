@@ -1,5 +1,7 @@
 #include "app/commands.hpp"
 #include "app/shared_options.hpp"
+#include "core/file.hpp"
+#include "core/input_error.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/fit.hpp"
 #include "fit/report.hpp"
@@ -17,12 +19,17 @@ struct FitCommand {
     std::vector<std::string> fix;
     bool cross_check = false;
     std::string solver;
+    std::string uncertainty;
+    std::filesystem::path samples;
 };
 
 Configuration fit_configuration(const FitCommand& command) {
     Configuration configuration = configuration_from(command.shared);
     if (!command.solver.empty()) {
         configuration = configured_by_word(configuration, "solver", command.solver, "--solver");
+    }
+    if (!command.uncertainty.empty()) {
+        configuration = configured_by_word(configuration, "uncertainty", command.uncertainty, "--uncertainty");
     }
     if (!command.column.empty()) configuration.column = command.column;
     if (!command.unit.empty()) configuration = configured_by_word(configuration, "unit", command.unit, "--unit");
@@ -31,13 +38,30 @@ Configuration fit_configuration(const FitCommand& command) {
     return configuration;
 }
 
+void check_samples(const FitCommand& command, const Configuration& configuration) {
+    if (command.samples.empty()) return;
+    if (configuration.uncertainty != UncertaintyMethod::posterior) {
+        throw InputError({.where = "--samples",
+                          .problem = "there are none",
+                          .why = "only a posterior is sampled",
+                          .remedy = "add --uncertainty posterior"});
+    }
+    SharedOptions samples = command.shared;
+    samples.out = command.samples;
+    check_output(samples, {command.file, command.shared.out});
+}
+
 int run(const FitCommand& command) {
     const Configuration configuration = fit_configuration(command);
     check_output(command.shared, {command.file});
+    check_samples(command, configuration);
     const Spectrum spectrum = read_spectrum(command.file, {.column = configuration.column, .unit = configuration.unit});
     const auto limit = thread_limit(command.shared);
     const FitResult result = fit_spectrum(configuration, spectrum,
                                           {.cross_check = command.cross_check, .cache = cache_from(command.shared)});
+    if (!command.samples.empty()) {
+        write_file_atomically(command.samples, samples_csv(*result.posterior, result.free));
+    }
     write_output(command.shared,
                  command.shared.format == "json" ? json_text(json_report(result)) : text_report(result));
     return result.verdict == Verdict::trustworthy ? trustworthy_result : result_with_warning;
@@ -60,6 +84,9 @@ void add_fit_command(CLI::App& app, int& exit_code) {
     fit->add_option("--solver", command->solver,
                     "ceres (exact derivatives), slsqp (the same), bobyqa, sbplx (none), crs2 (global)");
     fit->add_flag("--cross-check", command->cross_check, "fit by the other solvers too and compare");
+    fit->add_option("--uncertainty", command->uncertainty,
+                    "what intervals come from: covariance, profile (right at bounds) or posterior");
+    fit->add_option("--samples", command->samples, "write the draws of the posterior there, as CSV")->type_name("FILE");
     add_shared_options(*fit, command->shared, {"text", "json"});
     fit->footer("Exit code 0: trustworthy; 1: a result with a warning; 2: bad input; 3: internal error.");
     fit->callback([command, &exit_code] { exit_code = run(*command); });

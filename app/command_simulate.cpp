@@ -3,6 +3,7 @@
 #include "fit/configuration_json.hpp"
 #include "fit/problem.hpp"
 #include "fit/report.hpp"
+#include "fit/viewing.hpp"
 
 namespace skinfit {
 namespace {
@@ -28,6 +29,7 @@ Configuration simulate_configuration(const SimulateCommand& command) {
 }
 
 std::vector<Reading> readings(const Configuration& configuration, const EnsembleCache& cache) {
+    check_viewing_cone(resolved(configuration, Spectrum{}));
     const Experiment experiment = make_experiment(configuration, {});
     const std::vector<double> wavelengths_nm = parse_wavelengths(configuration.wavelengths, "wavelengths");
     const std::vector<double> true_nm = true_wavelengths_nm(experiment, wavelengths_nm);

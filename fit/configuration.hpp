@@ -32,6 +32,13 @@ enum class Solver {
 };
 inline constexpr std::size_t solver_count = 5;
 
+/// Where the intervals of a fit come from.
+enum class UncertaintyMethod {
+    covariance,  ///< the model linearised at the minimum
+    profile,     ///< profile likelihood, right at bounds
+    posterior,   ///< Markov chain Monte Carlo
+};
+
 /// Limits of a free parameter, or of a range.
 struct Bounds {
     double lower;
@@ -85,10 +92,12 @@ struct Configuration {
     Edition edition = Edition::revised;
     Engine engine = Engine::paths;
     Solver solver = Solver::ceres;
+    UncertaintyMethod uncertainty = UncertaintyMethod::covariance;
     int layers = 4;
     std::optional<Base> base;  ///< unset: hypodermis under four layers, air under two
     std::optional<double> incidence_deg;
     std::optional<Specular> specular;
+    std::optional<double> viewing_cone_deg;  ///< half angle about the normal; unset: the hemisphere is collected
     std::optional<Quantity> quantity;
     std::optional<std::string> column;  ///< of the measured file
     std::optional<Unit> unit;           ///< of the measured file
@@ -112,9 +121,11 @@ struct Configuration {
 };
 
 /// Used where neither the configuration nor the measured file states the geometry: the common d/8 and 8/d
-/// instruments with the specular reflection included.
+/// instruments with the specular reflection included; with a viewing cone the 45/0 instruments, which exclude it.
 inline constexpr double default_incidence_deg = 8.0;
 inline constexpr Specular default_specular = Specular::included;
+inline constexpr double default_incidence_deg_with_cone = 45.0;
+inline constexpr Specular default_specular_with_cone = Specular::excluded;
 inline constexpr Quantity default_quantity = Quantity::reflectance;
 
 /// The scale of `loss` in sigmas at which a fit to normal noise keeps 95 % of the efficiency of least squares

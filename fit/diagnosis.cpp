@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace skinfit {
@@ -12,6 +13,8 @@ constexpr double monte_carlo_share = 0.5;  // of the noise
 constexpr double better_cost = 1e-3;
 constexpr double almost_as_well = 3.84;  // of the cost: 95 % of chi-square with one degree of freedom
 constexpr double different_sigmas = 0.1;
+constexpr double mixed = 1.01;        // R-hat, [VEHTARI21]
+constexpr double enough_draws = 400;  // effective, [VEHTARI21]
 
 void judge_misfit(const FitResult& result, std::vector<std::string>& reasons) {
     const std::size_t wavelengths = result.wavelength_nm.size();
@@ -36,7 +39,11 @@ void judge_misfit(const FitResult& result, std::vector<std::string>& reasons) {
 }
 
 void judge_runs(const FitResult& result, std::vector<std::string>& reasons) {
+    // Runs this improbable hold four values or more, which makes a departure count twice: below half the noise it is
+    // harmless.
+    constexpr double harmless_share = 0.25;
     if (!result.runs_p_value || *result.runs_p_value >= improbable) return;
+    if (result.chi2 < harmless_share * result.degrees_of_freedom) return;
     reasons.push_back(
         fmt::format("RESIDUALS IN RUNS: they change sign too rarely for noise that is independent from wavelength to "
                     "wavelength (p = {:.1g}), so the model departs smoothly and sigmas are too small; set discrepancy, "
@@ -72,6 +79,30 @@ void judge_parameters(const FitResult& result, std::vector<std::string>& reasons
                 "and compare fits with it fixed elsewhere",
                 name));
         }
+    }
+}
+
+void judge_sampling(const FitResult& result, std::vector<std::string>& reasons) {
+    if (result.profile && result.profile->better_minimum) {
+        reasons.emplace_back(
+            "BETTER MINIMUM met while profiling, and used: the solver had stopped in another valley; cross-check, and "
+            "start elsewhere with --set");
+    }
+    if (!result.posterior) return;
+    for (std::size_t i = 0; i < result.free.size(); ++i) {
+        const Marginal& marginal = result.posterior->marginals[i];
+        const double effective = std::min(marginal.bulk_effective_size, marginal.tail_effective_size);
+        if (marginal.r_hat < mixed && effective >= enough_draws) continue;
+        reasons.push_back(
+            fmt::format("CHAINS HAVE NOT MIXED in {}: R-hat {:.3f}, {:.0f} effective draws; fix parameters that trade "
+                        "against each other, or use uncertainty=profile",
+                        info(result.free[i]).name, marginal.r_hat, effective));
+    }
+    if (result.posterior->divergences > 0) {
+        reasons.push_back(
+            fmt::format("DIVERGENCES: {} of {} steps of the sampler went astray, so that a corner of the posterior may "
+                        "be missing; compare with uncertainty=profile",
+                        result.posterior->divergences, result.posterior->draws.cols()));
     }
 }
 
@@ -112,6 +143,7 @@ Diagnosis diagnose(const FitResult& result) {
                             (result.monte_carlo_error / result.median_sigma / monte_carlo_share) *
                             (result.monte_carlo_error / result.median_sigma / monte_carlo_share)));
     }
+    judge_sampling(result, reasons);
     judge_solvers(result, reasons);
     return {.verdict = reasons.empty() ? Verdict::trustworthy : Verdict::suspect, .reasons = std::move(reasons)};
 }

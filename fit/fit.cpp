@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "fit/diagnosis.hpp"
+#include "fit/inference.hpp"
 #include "fit/multistart.hpp"
 #include "fit/objective.hpp"
 #include "fit/prior_json.hpp"
@@ -20,16 +21,17 @@ namespace skinfit {
 namespace {
 
 ForwardModel make_model(const FitProblem& problem, Engine engine, const EnsembleCache& cache) {
-    const Sample sample = problem.experiment.sample();
-    if (engine == Engine::solver) return AngularSolver(sample, {.incidence_rad = problem.walk.incidence_rad});
-    return cached_ensemble(sample, true_wavelengths_nm(problem.experiment, problem.wavelength_nm), problem.walk, cache);
+    if (engine == Engine::solver) return angular_solver(problem.experiment);
+    return cached_ensemble(problem.experiment.sample(), true_wavelengths_nm(problem.experiment, problem.wavelength_nm),
+                           problem.walk, cache);
 }
 
 /// An approximation that costs a small part of `model`: a few of the recorded rays, or a coarser grid of angles.
 ForwardModel cheap_model(const FitProblem& problem, const ForwardModel& model) {
     constexpr std::uint64_t few_rays = 3000;
     if (const auto* const ensemble = std::get_if<PathEnsemble>(&model)) return ensemble->with_about(few_rays);
-    return AngularSolver(problem.experiment.sample(), {.incidence_rad = problem.walk.incidence_rad,
+    return AngularSolver(problem.experiment.sample(), {.incidence_rad = problem.experiment.incidence_rad,
+                                                       .viewing_cone_rad = problem.experiment.viewing_cone_rad,
                                                        .resolution = AngularResolution::for_accuracy(1e-3)});
 }
 
@@ -149,8 +151,8 @@ FitResult fit_spectrum(const Configuration& configuration, const Spectrum& spect
     const Objective objective(problem, model);
     const Objective cheap(problem, cheap_model(problem, model));
     Search found = search(cheap, objective, complete.solver, complete.starts);
-    const Minimum& minimum = found.minima.front().minimum;
-    const Uncertainty uncertainty = estimate_uncertainty(objective, minimum);
+    const Inference inference = infer(objective, found.minima.front().minimum, complete.uncertainty, complete.seed);
+    const Minimum& minimum = inference.minimum;
     const Objective::Modelled modelled = objective.model(minimum.values);
 
     FitResult result;
@@ -171,9 +173,13 @@ FitResult fit_spectrum(const Configuration& configuration, const Spectrum& spect
     result.runs_p_value = runs_p_value({residuals.data(), static_cast<std::size_t>(residuals.size())});
     result.median_sigma = median(problem.sigma);
     result.monte_carlo_error = median({modelled.standard_error.begin(), modelled.standard_error.end()});
-    result.parameters = fitted_parameters(problem, minimum, uncertainty, complete);
+    result.parameters = fitted_parameters(problem, minimum, inference.uncertainty, complete);
     result.free = free_parameters(complete);
-    result.correlation = uncertainty.correlation;
+    result.correlation = inference.uncertainty.correlation;
+    result.identifiability = inference.identifiability;
+    result.profile = inference.profile;
+    result.posterior = inference.posterior;
+    if (result.degrees_of_freedom > 0) result.inflation = std::sqrt(result.chi2 / result.degrees_of_freedom);
     result.priors = priors_in_words(problem);
     result.answer = {.solver = complete.solver, .minimum = minimum, .seconds = found.seconds};
     if (options.cross_check) result.cross_check = other_answers(cheap, objective, complete);

@@ -38,7 +38,7 @@ std::vector<Light> light_of_model(const PathEnsemble& ensemble, const Experiment
 }
 
 const AngularShare& share_of(const AngularResponse& response, Side side) {
-    return side == Side::top ? response.reflected : response.transmitted;
+    return side == Side::top ? response.viewed : response.transmitted;
 }
 
 Light solved_light(const AngularSolver& solver, double wavelength_nm, Side side,

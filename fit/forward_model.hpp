@@ -17,7 +17,7 @@ using ForwardModel = std::variant<PathEnsemble, AngularSolver>;
 /// The light of one wavelength, as shares of the incident light, and its derivatives by some parameters.
 struct Light {
     double surface;         ///< reflected by the surface
-    double share;           ///< left through the side that is measured, without `surface`
+    double share;           ///< left through the side that is measured, without `surface`; a factor in a viewing cone
     double standard_error;  ///< of `share`, Monte Carlo
     Eigen::RowVectorXd surface_by;
     Eigen::RowVectorXd share_by;

@@ -6,6 +6,7 @@
 
 #include "core/input_error.hpp"
 #include "fit/prior.hpp"
+#include "fit/viewing.hpp"
 #include "model/constants.hpp"
 
 namespace skinfit {
@@ -190,24 +191,34 @@ void check_wavelengths(const Configuration& configuration, const Spectrum& spect
     }
 }
 
+Configuration with_geometry(Configuration configuration, const Geometry& geometry) {
+    if (!configuration.viewing_cone_deg) configuration.viewing_cone_deg = geometry.viewing_cone_deg;
+    const bool cone = configuration.viewing_cone_deg.has_value();
+    configuration.incidence_deg = configuration.incidence_deg.value_or(
+        geometry.incidence_deg.value_or(cone ? default_incidence_deg_with_cone : default_incidence_deg));
+    configuration.specular = configuration.specular.value_or(
+        geometry.specular.value_or(cone ? default_specular_with_cone : default_specular));
+    return configuration;
+}
+
 }  // namespace
 
 Experiment make_experiment(const Configuration& configuration, const Geometry& geometry) {
-    const double incidence_deg =
-        configuration.incidence_deg.value_or(geometry.incidence_deg.value_or(default_incidence_deg));
+    const Configuration complete = with_geometry(configuration, geometry);
+    std::optional<double> viewing_cone_rad;
+    if (complete.viewing_cone_deg) viewing_cone_rad = *complete.viewing_cone_deg * rad_per_deg;
     return {.values = configuration.values,
             .edition = configuration.edition,
             .layers = configuration.layers,
             .base = resolved_base(configuration),
-            .incidence_rad = incidence_deg * rad_per_deg,
-            .specular = configuration.specular.value_or(geometry.specular.value_or(default_specular))};
+            .incidence_rad = *complete.incidence_deg * rad_per_deg,
+            .specular = *complete.specular,
+            .viewing_cone_rad = viewing_cone_rad};
 }
 
 Configuration resolved(Configuration configuration, const Spectrum& spectrum) {
+    configuration = with_geometry(configuration, spectrum.geometry);
     configuration.base = resolved_base(configuration);
-    configuration.incidence_deg =
-        configuration.incidence_deg.value_or(spectrum.geometry.incidence_deg.value_or(default_incidence_deg));
-    configuration.specular = configuration.specular.value_or(spectrum.geometry.specular.value_or(default_specular));
     configuration.quantity = configuration.quantity.value_or(spectrum.quantity.value_or(default_quantity));
     return configuration;
 }
@@ -219,6 +230,7 @@ FitProblem make_problem(const Configuration& configuration, const Spectrum& spec
                           .why = "its result moves in steps of one ray",
                           .remedy = "set engine=paths or engine=solver"});
     }
+    check_viewing_cone(configuration);
     check_wavelengths(configuration, spectrum);
     FitProblem problem{.experiment = make_experiment(configuration, spectrum.geometry),
                        .quantity = configuration.quantity.value(),

@@ -25,7 +25,8 @@ Eigen::RowVectorXd reading_derivatives(const Light& light, const Experiment& exp
     assert(light.share_by.size() == static_cast<Column>(parameters.size()));
     const double surface = collected_surface(experiment, quantity);
     const double scale = experiment.values.instrument.scale;
-    const bool collects_fraction = quantity == Quantity::reflectance && experiment.specular == Specular::excluded;
+    const bool collects_fraction = quantity == Quantity::reflectance && experiment.specular == Specular::excluded &&
+                                   !experiment.viewing_cone_rad;
     Eigen::RowVectorXd by(light.share_by.size());
     for (Column column = 0; column < by.size(); ++column) {
         switch (parameters[static_cast<std::size_t>(column)]) {

@@ -22,6 +22,11 @@ namespace skinfit {
 /// The report for programs, complete enough to run the fit again.
 [[nodiscard]] Json json_report(const FitResult& result);
 
+/// Where the intervals come from, what the spectrum can tell and how well the posterior was sampled: a section of the
+/// report for people, and keys of the report for programs.
+[[nodiscard]] std::string uncertainty_text(const FitResult& result);
+[[nodiscard]] Json uncertainty_json(const FitResult& result);
+
 /// A simulation as CSV, with its settings as comments on top, readable by `read_spectrum`.
 [[nodiscard]] std::string simulation_csv(const std::vector<Reading>& readings, const Configuration& configuration);
 

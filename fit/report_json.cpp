@@ -96,6 +96,7 @@ Json json_report(const FitResult& result) {
                  {"monte_carlo_error", result.monte_carlo_error},
                  {"parameters", parameters_json(result)},
                  {"correlation", correlation_json(result)},
+                 {"uncertainty", uncertainty_json(result)},
                  {"solution", answer_json(result, result.answer, solver_name(result.answer.solver))}};
     json["minima"] = minima_json(result);
     if (!result.cross_check.empty()) json["cross_check"] = Json::array();

@@ -26,18 +26,32 @@ std::string monte_carlo_words(double error) {
     return error > 0.0 ? rounded(error, error) : "none";
 }
 
+/// One-sided where the minimum lies at a bound.
+std::string interval_words(const ParameterUncertainty& uncertainty, double grain) {
+    const std::string lower = rounded(uncertainty.interval_95.lower, grain);
+    const std::string upper = rounded(uncertainty.interval_95.upper, grain);
+    switch (uncertainty.status) {
+        case Status::at_lower_bound:
+            return "at most " + upper;
+        case Status::at_upper_bound:
+            return "at least " + lower;
+        default:
+            return lower + " to " + upper;
+    }
+}
+
 std::string parameter_row(const FittedParameter& fitted) {
     const ParameterInfo& row = info(fitted.parameter);
     const ParameterUncertainty& uncertainty = fitted.uncertainty;
     const double width = fitted.bounds.upper - fitted.bounds.lower;
     const double grain = uncertainty.sigma.value_or(width / 1000);
-    const std::string interval = fmt::format("{} to {}", rounded(uncertainty.interval_95.lower, grain),
-                                             rounded(uncertainty.interval_95.upper, grain));
+    const std::string interval = interval_words(uncertainty, grain);
     switch (uncertainty.status) {
         case Status::free:
             return fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}\n", row.name, rounded(fitted.value, grain),
-                               rounded(*uncertainty.sigma, grain), monte_carlo_words(*uncertainty.monte_carlo_sigma),
-                               interval, unit_in_words(row));
+                               uncertainty.sigma ? rounded(*uncertainty.sigma, grain) : "-",
+                               uncertainty.sigma ? monte_carlo_words(*uncertainty.monte_carlo_sigma) : "-", interval,
+                               unit_in_words(row));
         case Status::not_identifiable:
             return fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}  NOT IDENTIFIABLE\n", row.name, "-", "-", "-",
                                interval, unit_in_words(row));
@@ -145,10 +159,12 @@ std::string model_text(const Configuration& configuration) {
     };
     return fmt::format(
         "model: edition {}, engine {}, {} rays, seed {}; {} layers on base {}\n"
-        "instrument: {}, incidence {} deg, specular {}\n"
+        "instrument: {}, incidence {} deg, specular {}{}\n"
         "skinfit {}, research software, not a medical device\n",
         word("edition"), word("engine"), word("rays"), word("seed"), word("layers"), word("base"), word("quantity"),
-        word("incidence_deg"), word("specular"), version);
+        word("incidence_deg"), word("specular"),
+        configuration.viewing_cone_deg ? fmt::format(", viewing cone {:g} deg", *configuration.viewing_cone_deg) : "",
+        version);
 }
 
 }  // namespace
@@ -192,8 +208,8 @@ std::string text_report(const FitResult& result) {
                         monte_carlo_words(result.monte_carlo_error));
     text += fmt::format("wavelengths: {} from {:g} to {:g} nm; values read as {}\n", result.wavelength_nm.size(),
                         result.wavelength_nm.front(), result.wavelength_nm.back(), result.unit_rule);
-    return text + correlation_text(result) + minima_text(result) + cross_check_text(result) + fixed_text(result) +
-           model_text(result.configuration);
+    return text + correlation_text(result) + uncertainty_text(result) + minima_text(result) + cross_check_text(result) +
+           fixed_text(result) + model_text(result.configuration);
 }
 
 }  // namespace skinfit

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fit/configuration.hpp"
+#include "fit/inference.hpp"
 #include "fit/minimum.hpp"
 #include "fit/multistart.hpp"
 #include "fit/uncertainty.hpp"
@@ -52,6 +53,10 @@ struct FitResult {
     std::vector<FittedParameter> parameters;  ///< in the order of the parameter table
     std::vector<Parameter> free;              ///< rows of `correlation`
     Eigen::MatrixXd correlation;
+    Identifiability identifiability;
+    std::optional<Profile> profile;      ///< where the intervals are those of profiles
+    std::optional<Posterior> posterior;  ///< in values, where the intervals are those of the posterior
+    std::optional<double> inflation;     ///< sqrt(chi2 / degrees of freedom); none without degrees of freedom
     std::vector<double> wavelength_nm;
     std::vector<double> measured;
     std::vector<double> sigma;

@@ -2,6 +2,7 @@
 
 #include "fit/problem.hpp"
 #include "fit/reading.hpp"
+#include "fit/viewing.hpp"
 
 namespace skinfit {
 namespace {
@@ -24,13 +25,13 @@ Sensitivity sensitivity(const Configuration& configuration) {
                        .without_effect = {},
                        .derivative = {}};
     result.configuration.engine = Engine::solver;
+    check_viewing_cone(result.configuration);
     const Quantity quantity = result.configuration.quantity.value();
     const Experiment experiment = make_experiment(result.configuration, {});
     (void)extinctions(true_wavelengths_nm(experiment, result.wavelength_nm), experiment.edition);  // refuses early
     const std::vector<Parameter> parameters = all_parameters();
     const std::vector<Light> lights =
-        light_of(AngularSolver(experiment.sample(), {.incidence_rad = experiment.incidence_rad}), experiment,
-                 measured_side(quantity), result.wavelength_nm, parameters);
+        light_of(angular_solver(experiment), experiment, measured_side(quantity), result.wavelength_nm, parameters);
     Eigen::MatrixXd derivative(static_cast<Index>(lights.size()), static_cast<Index>(parameters.size()));
     for (std::size_t i = 0; i < lights.size(); ++i) {
         result.reading.push_back(reading(lights[i], experiment, quantity));

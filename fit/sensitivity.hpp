@@ -22,7 +22,8 @@ struct Sensitivity {
 };
 
 /// The reading that `configuration` describes and its derivatives by every parameter, at the wavelengths of its setting
-/// and by the angular solver whatever its engine. Throws InputError for wavelengths outside the tables.
+/// and by the angular solver whatever its engine. Throws InputError for wavelengths outside the tables
+/// and for a viewing cone as `check_viewing_cone` does.
 [[nodiscard]] Sensitivity sensitivity(const Configuration& configuration);
 
 /// Each derivative times the value of its parameter: the change of the reading, to first order, for a change of the

@@ -35,6 +35,9 @@ std::string sensitivity_csv(const Sensitivity& sensitivity, Derivative derivativ
     for (const char* key : {"quantity", "edition", "engine", "layers", "base", "incidence_deg", "specular"}) {
         text += fmt::format("# {}: {}\n", key, word(settings[key]));
     }
+    if (const auto cone_deg = sensitivity.configuration.viewing_cone_deg) {
+        text += fmt::format("# viewing_cone_deg: {}\n", *cone_deg);
+    }
     text += "# parameters:";
     for (const ParameterInfo& row : parameter_table()) {
         text += fmt::format(" {}={}", row.name, value_of(sensitivity.configuration.values, row.parameter));
@@ -76,10 +79,12 @@ Json sensitivity_json(const Sensitivity& sensitivity, Derivative derivative) {
 Plot sensitivity_plot(const Sensitivity& sensitivity) {
     const Configuration& configuration = sensitivity.configuration;
     const std::string_view quantity = quantity_name(sensitivity);
-    Plot plot{.title = fmt::format("Sensitivity of {}: edition {}, {} layers, incidence {} deg, specular {}", quantity,
-                                   word(to_json(configuration)["edition"]), configuration.layers,
+    const auto cone_deg = configuration.viewing_cone_deg;
+    Plot plot{.title = fmt::format("Sensitivity of {}: edition {}, {} layers, incidence {} deg, specular {}{}",
+                                   quantity, word(to_json(configuration)["edition"]), configuration.layers,
                                    configuration.incidence_deg.value(),
-                                   specular_names.at(static_cast<std::size_t>(configuration.specular.value()))),
+                                   specular_names.at(static_cast<std::size_t>(configuration.specular.value())),
+                                   cone_deg ? fmt::format(", viewing cone {} deg", *cone_deg) : ""),
               .x_label = "wavelength (nm)",
               .y_label = fmt::format("parameter x d({}) / d(parameter)  (fraction)", quantity),
               .lines = {}};

@@ -17,6 +17,7 @@ namespace {
 constexpr std::array<std::string_view, 2> edition_names = {"printed", "revised"};
 constexpr std::array<std::string_view, 3> engine_names = {"paths", "walk", "solver"};
 constexpr std::array<std::string_view, solver_count> solver_names = {"ceres", "bobyqa", "sbplx", "slsqp", "crs2"};
+constexpr std::array<std::string_view, 3> uncertainty_names = {"covariance", "profile", "posterior"};
 constexpr std::array<std::string_view, 2> unit_names = {"fraction", "percent"};
 
 std::uint64_t read_count(const Json& value, std::uint64_t lowest, std::uint64_t highest, const std::string& where) {
@@ -98,6 +99,7 @@ Setting layers() {
 }
 
 constexpr Range base_index_range{1.0, 3.0};
+constexpr Range viewing_cone_range_deg{0.1, 90.0};
 
 void read_base(Configuration& configuration, const Json& value, const std::string& where) {
     constexpr std::array<std::string_view, 2> names = {"hypodermis", "matched"};
@@ -132,17 +134,18 @@ Setting base() {
             }};
 }
 
-Setting incidence() {
-    static constexpr Range range{0.0, 85.0};
-    return {"incidence_deg",
-            "of the light, to the normal; null: as the measured file says, else 8",
+/// A number that null leaves to the measured file.
+Setting number(std::string_view name, std::string_view meaning, const Range& range,
+               std::optional<double> Configuration::*field) {
+    return {name,
+            meaning,
             {{"type", {"number", "null"}}, {"minimum", range.lowest}, {"maximum", range.highest}},
-            [](Configuration& configuration, const Json& value, const std::string& where) {
-                configuration.incidence_deg =
-                    value.is_null() ? std::nullopt : std::optional(read_number(value, range, where));
+            [range, field](Configuration& configuration, const Json& value, const std::string& where) {
+                configuration.*field = value.is_null() ? std::nullopt : std::optional(read_number(value, range, where));
             },
-            [](const Configuration& configuration) {
-                return configuration.incidence_deg ? Json(*configuration.incidence_deg) : Json();
+            [field](const Configuration& configuration) {
+                const std::optional<double> number = configuration.*field;
+                return number ? Json(*number) : Json();
             }};
 }
 
@@ -184,11 +187,23 @@ std::vector<Setting> general_settings() {
         named("engine", "paths: recorded walks, smooth; walk: the analog walk, simulation only; solver: without noise",
               engine_names, &Configuration::engine),
         named("solver", "what minimises the misfit of a fit", solver_names, &Configuration::solver),
+        named("uncertainty",
+              "what the intervals of a fit come from; profile is right at bounds, posterior takes longest",
+              uncertainty_names, &Configuration::uncertainty),
         layers(),
         base(),
-        incidence(),
-        named("specular", "whether the mirror reflection of the surface is seen; null: as the file says, else included",
-              specular_names, &Configuration::specular),
+        number("incidence_deg",
+               "of the light, to the normal; null: as the measured file says, else 8, or 45 with a viewing cone",
+               {0, 85}, &Configuration::incidence_deg),
+        named(
+            "specular",
+            "whether the mirror reflection of the surface is seen; null: as the file says, else included, or excluded "
+            "with a viewing cone",
+            specular_names, &Configuration::specular),
+        number("viewing_cone_deg",
+               "half angle of the cone about the normal through which a 45/0 instrument sees the skin, which gives the "
+               "reflectance factor; null: as the measured file says, else none, all reflected light is collected",
+               viewing_cone_range_deg, &Configuration::viewing_cone_deg),
         named("quantity", "what the spectrum measures; null: as the file says, else reflectance", quantity_names,
               &Configuration::quantity),
         column(),

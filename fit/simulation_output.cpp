@@ -34,6 +34,8 @@ std::string simulation_csv(const std::vector<Reading>& readings, const Configura
     for (const char* key : {"edition", "engine", "rays", "seed", "layers", "base", "incidence_deg", "specular"}) {
         text += fmt::format("# {}: {}\n", key, word(key));
     }
+    if (configuration.viewing_cone_deg)
+        text += fmt::format("# viewing_cone_deg: {}\n", *configuration.viewing_cone_deg);
     text += fmt::format("# unit: fraction\n# parameters:{}\n", parameters_text(configuration));
     text += "wavelength_nm,reflectance,reflectance_se,transmittance,transmittance_se,surface_reflectance\n";
     for (const Reading& reading : readings) {

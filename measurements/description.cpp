@@ -37,11 +37,10 @@ Meaning either(const Columns& columns, const Note& note,
     refuse(columns, note, fmt::format("{} or {}", words[0].first, words[1].first));
 }
 
-double angle(const Columns& columns, const Note& note) {
-    constexpr double most_oblique_deg = 85;  // as far as the model is asked
+double angle(const Columns& columns, const Note& note, double lowest_deg, double highest_deg) {
     const std::optional<double> degrees = parse_number(note.value);
-    if (!degrees || !(*degrees >= 0 && *degrees <= most_oblique_deg)) {
-        refuse(columns, note, "an angle to the normal in degrees, from 0 to 85");
+    if (!degrees || !(*degrees >= lowest_deg && *degrees <= highest_deg)) {
+        refuse(columns, note, fmt::format("an angle to the normal in degrees, from {} to {}", lowest_deg, highest_deg));
     }
     return *degrees;
 }
@@ -67,7 +66,9 @@ Description read_description(const Columns& columns) {
             description.geometry.specular =
                 either<Specular>(columns, note, {{{"included", Specular::included}, {"excluded", Specular::excluded}}});
         } else if (note.key == "incidence_deg") {
-            description.geometry.incidence_deg = angle(columns, note);
+            description.geometry.incidence_deg = angle(columns, note, 0, 85);  // as far as the model is asked
+        } else if (note.key == "viewing_cone_deg") {
+            description.geometry.viewing_cone_deg = angle(columns, note, 0.1, 90);  // likewise
         } else if (note.key == "specimen") {
             description.specimen = note.value;
         } else {

@@ -13,7 +13,8 @@ namespace skinfit {
 struct Description {
     std::optional<Quantity> quantity;  ///< `quantity: reflectance` or `transmittance`
     std::optional<Unit> unit;          ///< `unit: fraction` or `percent`
-    Geometry geometry;                 ///< `incidence_deg: 45`, `specular: included` or `excluded`
+    /// `incidence_deg: 45`, `specular: included` or `excluded`, `viewing_cone_deg: 5`
+    Geometry geometry;
     std::string specimen;              ///< `specimen: any text`
 };
 

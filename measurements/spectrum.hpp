@@ -12,6 +12,7 @@ namespace skinfit {
 struct Geometry {
     std::optional<double> incidence_deg{};  ///< to the normal, in [0, 90)
     std::optional<Specular> specular{};
+    std::optional<double> viewing_cone_deg{};  ///< half angle about the normal, above 0 to 90
 };
 
 /// A measured spectrum. The three vectors go together: entry i of each belongs to one wavelength.

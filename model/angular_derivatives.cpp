@@ -6,12 +6,12 @@ AngularSystem::Prospects AngularSystem::prospects(const RayKind& kind, const Eig
                                                   const Tabulated& polynomials) const {
     const StateBlock& block = grid_->spaces[kind.space].block(kind.layer, kind.heading);
     const auto prospect = prospect_[kind.space].middleRows(block.first, block.size);
-    const Eigen::MatrixX2d none = Eigen::MatrixX2d::Zero(cosine.size(), 2);
+    const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(cosine.size(), grid_->exits);
     if (!in_dermis(kind.layer)) return {polynomials.value * prospect, polynomials.derivative * prospect, none};
-    const Eigen::MatrixX2d diffuse = Eigen::VectorXd::Ones(cosine.size()) * prospect.row(0);
+    const Eigen::MatrixXd diffuse = Eigen::VectorXd::Ones(cosine.size()) * prospect.row(0);
     if (!block.rayleigh) return {diffuse, none, none};
-    const Eigen::MatrixX2d weighted = scaled(grid_->rayleigh) * prospect.bottomRows(block.size - 1);
-    const Eigen::MatrixX2d gain = polynomials.value * weighted - diffuse;
+    const Eigen::MatrixXd weighted = scaled(grid_->rayleigh) * prospect.bottomRows(block.size - 1);
+    const Eigen::MatrixXd gain = polynomials.value * weighted - diffuse;
     const double depth = medium_->rayleigh_depth[static_cast<std::size_t>(kind.layer)];
     const Eigen::ArrayXd untouched = (-depth / cosine).exp();  // [KA04, Eq. 3]
     const Eigen::ArrayXd by_depth = untouched / cosine;
@@ -22,10 +22,8 @@ AngularSystem::Prospects AngularSystem::prospects(const RayKind& kind, const Eig
 
 AngularSystem::Prospects AngularSystem::prospects_beyond(std::size_t space, const AngularSide& side) const {
     if (!side.exit) return prospects({space, side.next, side.heading}, side.nodes.refracted, side.beyond);
-    const Eigen::MatrixX2d none = Eigen::MatrixX2d::Zero(side.nodes.transmitting, 2);
-    Eigen::MatrixX2d value = none;
-    value.col(side.heading == Heading::up ? 0 : 1).setOnes();
-    return {value, none, none};
+    const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(side.nodes.transmitting, grid_->exits);
+    return {side.leaving, none, none};
 }
 
 void AngularSystem::add_derivatives(std::size_t space, std::size_t index, const ArrivingLight& light,
@@ -43,9 +41,9 @@ void AngularSystem::add_derivatives(std::size_t space, std::size_t index, const 
 
     const RayKind back = {grid_->space_after_reflection(space, side), side.layer, opposite(side.heading)};
     const Prospects reflected = prospects(back, nodes.cosine, side.own);
-    Eigen::MatrixX2d value = scaled(nodes.reflectance) * reflected.value;
-    Eigen::MatrixX2d value_by_ratio = scaled(nodes.reflectance_by_ratio) * reflected.value +
-                                      scaled(nodes.reflectance * nodes.cosine_by_ratio) * reflected.by_cosine;
+    Eigen::MatrixXd value = scaled(nodes.reflectance) * reflected.value;
+    Eigen::MatrixXd value_by_ratio = scaled(nodes.reflectance_by_ratio) * reflected.value +
+                                     scaled(nodes.reflectance * nodes.cosine_by_ratio) * reflected.by_cosine;
     shares.by_rayleigh_depth[layer] += share * scaled(nodes.reflectance) * reflected.by_rayleigh_depth;
 
     if (const Eigen::Index count = nodes.transmitting; count > 0) {

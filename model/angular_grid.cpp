@@ -8,6 +8,7 @@
 
 #include "core/input_error.hpp"
 #include "model/constants.hpp"
+#include "model/viewing_cone.hpp"
 
 namespace skinfit {
 namespace {
@@ -52,6 +53,16 @@ double index_beyond(const Sample& sample, int next) {
     return refractive_index(sample.skin)[static_cast<std::size_t>(next)];
 }
 
+/// `AngularSide::leaving` of the side of an exit. The light in the cone has an outer cosine above `cone_cosine`.
+Eigen::MatrixXd ways_out(const InterfaceNodes& nodes, Heading heading, std::optional<double> cone_cosine) {
+    Eigen::MatrixXd leaving = Eigen::MatrixXd::Zero(nodes.transmitting, cone_cosine ? 3 : 2);
+    leaving.col(heading == Heading::up ? top_exit : bottom_exit).setOnes();
+    if (cone_cosine && heading == Heading::up) {
+        leaving.col(cone_exit) = (nodes.refracted > *cone_cosine).cast<double>();
+    }
+    return leaving;
+}
+
 }  // namespace
 
 AngularResolution AngularResolution::for_accuracy(double accuracy) {
@@ -64,13 +75,18 @@ AngularResolution AngularResolution::for_accuracy(double accuracy) {
                       .remedy = "ask for 2e-5 or more"});
 }
 
-AngularGrid::AngularGrid(const Sample& sample, const AngularResolution& resolution)
-    : basis(panel_basis(resolution.panels)),
+AngularGrid::AngularGrid(const Sample& sample, const AngularResolution& resolution,
+                         std::optional<double> viewing_cone_rad)
+    : exits(viewing_cone_rad ? 3 : 2),
+      basis(panel_basis(resolution.panels)),
       kernel(ForwardKernel::of(basis)),
       rayleigh(rayleigh_coefficients(sample.edition, resolution.rayleigh_terms)),
       spaces(state_spaces(sample, basis.size(), rayleigh.size())) {
     const PerLayer<double> index = refractive_index(sample.skin);
+    std::optional<double> cone_cosine;
+    if (viewing_cone_rad) cone_cosine = viewing_cone_cosine(*viewing_cone_rad);
     const auto edges = [&](int layer) {
+        if (layer < 0 && cone_cosine) return std::vector<double>{*cone_cosine};
         const bool panelled = layer >= 0 && layer < sample.layers && !in_dermis(layer);
         return panelled ? basis.edges : std::vector<double>{};
     };
@@ -88,6 +104,7 @@ AngularGrid::AngularGrid(const Sample& sample, const AngularResolution& resoluti
                  .regular = in_dermis(layer) ? 2 * resolution.points : resolution.points,  // pieces are wider there
                  .crowded = resolution.crowded_points});
             const bool exit = next < 0 || next == sample.layers;
+            Eigen::MatrixXd leaving = exit ? ways_out(nodes, heading, cone_cosine) : Eigen::MatrixXd{};
             Tabulated own_polynomials = polynomials(layer, nodes.cosine);
             Tabulated beyond_polynomials = exit ? Tabulated{} : polynomials(next, nodes.refracted);
             sides.push_back({.layer = layer,
@@ -97,7 +114,8 @@ AngularGrid::AngularGrid(const Sample& sample, const AngularResolution& resoluti
                              .index_beyond = beyond,
                              .nodes = std::move(nodes),
                              .own = std::move(own_polynomials),
-                             .beyond = std::move(beyond_polynomials)});
+                             .beyond = std::move(beyond_polynomials),
+                             .leaving = std::move(leaving)});
         }
     }
 }

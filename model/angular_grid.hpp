@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "model/angular_basis.hpp"
@@ -38,6 +39,12 @@ enum class Heading : std::size_t { down, up };
     return layer >= static_cast<int>(Layer::papillary_dermis);
 }
 
+/// Columns of what is kept per way out. What leaves through the top into the viewing cone is a part of what leaves
+/// through the top; it has a column where there is a cone.
+inline constexpr Eigen::Index top_exit = 0;
+inline constexpr Eigen::Index bottom_exit = 1;
+inline constexpr Eigen::Index cone_exit = 2;
+
 /// The rays of one layer that travel in one direction, as they arrive at the interface ahead.
 struct AngularSide {
     int layer;
@@ -46,8 +53,9 @@ struct AngularSide {
     bool exit;            ///< whether air or base lies beyond
     double index_beyond;  ///< 1 where the base has none
     InterfaceNodes nodes;
-    Tabulated own;     ///< the layer's polynomials at `nodes.cosine`
-    Tabulated beyond;  ///< the next layer's at `nodes.refracted`
+    Tabulated own;            ///< the layer's polynomials at `nodes.cosine`
+    Tabulated beyond;         ///< the next layer's at `nodes.refracted`
+    Eigen::MatrixXd leaving;  ///< at an exit, 1 for each way out that the light of a transmitting node takes, else 0
 };
 
 /// The unknowns that belong to the starts of runs in one layer and direction: polynomials in stratum corneum and
@@ -70,13 +78,15 @@ struct StateSpace {
 };
 
 struct AngularGrid {
+    Eigen::Index exits;  ///< columns per way out
     PanelBasis basis;
     std::shared_ptr<const ForwardKernel> kernel;
     Eigen::ArrayXd rayleigh;         ///< coefficients of the Rayleigh kernel
     std::vector<AngularSide> sides;  ///< two per layer: down, up
     std::vector<StateSpace> spaces;  ///< rays of the first enter the second where they bounce, never the other way
 
-    AngularGrid(const Sample& sample, const AngularResolution& resolution);
+    /// `viewing_cone_rad` is the half angle about the normal above the sample, up to pi/2, where there is a cone.
+    AngularGrid(const Sample& sample, const AngularResolution& resolution, std::optional<double> viewing_cone_rad);
 
     /// The polynomials in which the light of `layer` is expressed, at `cosine`.
     [[nodiscard]] Tabulated polynomials(int layer, const Eigen::ArrayXd& cosine) const;

@@ -38,7 +38,10 @@ std::vector<Moving> piece_ends(const InterfaceSide& side) {
             }
         }
     }
-    std::ranges::sort(ends, {}, &Moving::value);
+    // Of two ends that meet, the one that moves is kept: the derivatives follow it.
+    std::ranges::sort(ends, [](const Moving& a, const Moving& b) {
+        return a.value < b.value || (a.value == b.value && a.by_ratio > b.by_ratio);
+    });
     const auto [rest, end] = std::ranges::unique(ends, {}, &Moving::value);
     ends.erase(rest, end);
     return ends;

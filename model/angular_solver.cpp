@@ -7,22 +7,20 @@
 #include "model/angular_system.hpp"
 #include "model/chromophores.hpp"
 #include "model/layer_stack.hpp"
+#include "model/viewing_cone.hpp"
 
 namespace skinfit {
 namespace {
-
-constexpr std::size_t reflected_exit = 0;
-constexpr std::size_t transmitted_exit = 1;
 
 Parameter of_layer(Parameter first, int layer) {
     return static_cast<Parameter>(static_cast<std::size_t>(first) + static_cast<std::size_t>(layer));
 }
 
-/// Collects the derivatives of the two shares that escape.
+/// Collects the derivatives of the shares that escape.
 struct EscapeDerivatives {
     std::array<PerExit, parameter_count> by;
 
-    EscapeDerivatives() { by.fill(PerExit::Zero()); }
+    explicit EscapeDerivatives(Eigen::Index exits) { by.fill(PerExit::Zero(exits)); }
     PerExit& operator[](Parameter parameter) { return by[static_cast<std::size_t>(parameter)]; }
 };
 
@@ -129,7 +127,7 @@ struct AngularSolver::Wavelength {
 AngularSolver::AngularSolver(const Sample& sample, const AngularSolverOptions& options)
     : sample_(sample), options_(options) {
     assert(sample.layers == 2 || sample.layers == 4);
-    grid_ = std::make_shared<const AngularGrid>(sample, options.resolution);
+    grid_ = std::make_shared<const AngularGrid>(sample, options.resolution, options.viewing_cone_rad);
     entry_ = std::make_shared<const Entry>(
         entry(*grid_, sample.skin.stratum_corneum_refractive_index, options.incidence_rad));
 }
@@ -183,16 +181,26 @@ AngularResponse AngularSolver::response(double wavelength_nm, bool with_derivati
     const Wavelength wavelength(*this, wavelength_nm);
     const AngularShares shares = wavelength.system.shares(with_derivatives);
     const double entering = 1.0 - entry_->reflectance;
+    struct Escaped {
+        AngularShare AngularResponse::*share;
+        Eigen::Index exit;
+        double factor;
+    };
+    const std::array<Escaped, 3> escaped = {{
+        {&AngularResponse::reflected, top_exit, entering},
+        {&AngularResponse::transmitted, bottom_exit, entering},
+        {&AngularResponse::viewed, options_.viewing_cone_rad ? cone_exit : top_exit,
+         entering / white_share(options_.viewing_cone_rad)},
+    }};
     AngularResponse response;
     response.surface.share = entry_->reflectance;
-    response.reflected.share = entering * shares.escaped(reflected_exit);
-    response.transmitted.share = entering * shares.escaped(transmitted_exit);
+    for (const auto& [share, exit, factor] : escaped) (response.*share).share = factor * shares.escaped(exit);
     for (std::size_t layer = 0; layer < layer_count; ++layer) {
         response.absorbed[layer] = entering * shares.absorbed[layer];
     }
     if (!with_derivatives) return response;
 
-    EscapeDerivatives derivatives;
+    EscapeDerivatives derivatives(grid_->exits);
     for (std::size_t p = 0; p < parameter_count; ++p) {
         const PerLayer<double> depth_by =
             optical_depth_derivative(sample_.skin, wavelength.extinction, static_cast<Parameter>(p));
@@ -202,19 +210,17 @@ AngularResponse AngularSolver::response(double wavelength_nm, bool with_derivati
     }
     add_rayleigh_derivatives(sample_, wavelength.medium.rayleigh_depth, shares, derivatives);
     add_interface_derivatives(*grid_, refractive_index(sample_.skin), shares, derivatives);
-    PerExit& by_surface_index = derivatives[Parameter::stratum_corneum_refractive_index];
-    by_surface_index +=
+    derivatives[Parameter::stratum_corneum_refractive_index] +=
         entry_->cosine_by_index * shares.by_entry_cosine - entry_->reflectance_by_index / entering * shares.escaped;
-    for (std::size_t p = 0; p < parameter_count; ++p) {
-        response.reflected.by_parameter[p] = entering * derivatives.by[p](reflected_exit);
-        response.transmitted.by_parameter[p] = entering * derivatives.by[p](transmitted_exit);
+    for (const auto& [share, exit, factor] : escaped) {
+        AngularShare& filled = response.*share;
+        for (std::size_t p = 0; p < parameter_count; ++p) filled.by_parameter[p] = factor * derivatives.by[p](exit);
+        for (std::size_t layer = 0; layer < layer_count; ++layer) {
+            filled.by_optical_depth[layer] = factor * shares.by_optical_depth[layer](exit);
+        }
     }
     response.surface.by_parameter[static_cast<std::size_t>(Parameter::stratum_corneum_refractive_index)] =
         entry_->reflectance_by_index;
-    for (std::size_t layer = 0; layer < layer_count; ++layer) {
-        response.reflected.by_optical_depth[layer] = entering * shares.by_optical_depth[layer](reflected_exit);
-        response.transmitted.by_optical_depth[layer] = entering * shares.by_optical_depth[layer](transmitted_exit);
-    }
     return response;
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,7 +16,8 @@ namespace skinfit {
 
 /// How the sample is lit and how finely directions are resolved.
 struct AngularSolverOptions {
-    double incidence_rad = 0.0;  ///< 0 to below pi/2
+    double incidence_rad = 0.0;                   ///< 0 to below pi/2
+    std::optional<double> viewing_cone_rad = {};  ///< as `Experiment` has it
     AngularResolution resolution = AngularResolution::for_accuracy(1e-4);
 };
 
@@ -26,11 +28,12 @@ struct AngularShare {
     PerLayer<double> by_optical_depth{};                 ///< by each layer's absorption, all else fixed
 };
 
-/// Where the light of one wavelength goes. All shares sum to one, to rounding.
+/// Where the light of one wavelength goes. The shares that are not `viewed` sum to one, to rounding.
 struct AngularResponse {
     AngularShare surface;         ///< reflected by the surface
     AngularShare reflected;       ///< left through the surface after having entered
     AngularShare transmitted;     ///< left through the base
+    AngularShare viewed;          ///< `reflected` as a reflectance factor within the viewing cone; the same without one
     PerLayer<double> absorbed{};  ///< in each layer
 };
 

@@ -10,10 +10,6 @@ Eigen::ArrayXd passing(const Eigen::ArrayXd& cosine, double depth) {
     return (-depth / cosine).exp();
 }
 
-Eigen::Index exit_column(Heading heading) {
-    return heading == Heading::up ? 0 : 1;
-}
-
 }  // namespace
 
 AngularSystem::AngularSystem(const AngularGrid& grid, const AngularMedium& medium, const AngularEntry& entry)
@@ -24,7 +20,7 @@ AngularSystem::AngularSystem(const AngularGrid& grid, const AngularMedium& mediu
         Assembled system = assemble(s);
         const StateBlock& first = grid.spaces[s].block(0, Heading::down);
         const Eigen::MatrixXd first_matrix = system.matrix.middleRows(first.first, first.size);
-        const Eigen::MatrixX2d first_payoff = system.payoff.middleRows(first.first, first.size);
+        const Eigen::MatrixXd first_payoff = system.payoff.middleRows(first.first, first.size);
         for (int layer = 0; layer < static_cast<int>(Layer::papillary_dermis); ++layer) {
             const Eigen::MatrixXd& forward = medium.forward[static_cast<std::size_t>(layer)];
             for (const Heading heading : {Heading::down, Heading::up}) {
@@ -80,7 +76,7 @@ Eigen::MatrixXd AngularSystem::starts(const RayKind& kind, const Eigen::ArrayXd&
 AngularSystem::Assembled AngularSystem::assemble(std::size_t space) const {
     const StateSpace& states = grid_->spaces[space];
     Assembled system{.matrix = Eigen::MatrixXd::Zero(states.size, states.size),
-                     .payoff = Eigen::MatrixX2d::Zero(states.size, 2)};
+                     .payoff = Eigen::MatrixXd::Zero(states.size, grid_->exits)};
     for (const AngularSide& side : grid_->sides) {
         const Eigen::ArrayXd& weight = side.nodes.weight;
         const Eigen::ArrayXd surviving =
@@ -120,7 +116,7 @@ void AngularSystem::add_senders(std::size_t space, const AngularSide& side, Eige
     const Eigen::MatrixXd transmitted =
         senders.bottomRows(nodes.transmitting).transpose() * scaled(1.0 - nodes.reflectance.tail(nodes.transmitting));
     if (side.exit) {
-        payoff.col(exit_column(side.heading)) += transmitted.rowwise().sum();
+        payoff += transmitted * side.leaving;
         return;
     }
     const StateBlock& block = states.block(side.next, side.heading);
@@ -159,7 +155,7 @@ ArrivingLight AngularSystem::arriving(const RayKind& kind, const Eigen::ArrayXd&
 }
 
 AngularShares AngularSystem::shares(bool with_derivatives) const {
-    AngularShares shares(grid_->sides.size());
+    AngularShares shares(*grid_);
     shares.by_entry_cosine = by_entry_cosine_;
     for (std::size_t space = 0; space < grid_->spaces.size(); ++space) {
         for (std::size_t i = 0; i < grid_->sides.size(); ++i) {
@@ -171,8 +167,8 @@ AngularShares AngularSystem::shares(bool with_derivatives) const {
             shares.absorbed[layer] += (nodes.weight * light.completed * (1.0 - surviving)).sum();
             if (side.exit) {
                 const Eigen::ArrayXd arriving = light.completed * surviving + light.turned;
-                shares.escaped(exit_column(side.heading)) +=
-                    (nodes.weight * (1.0 - nodes.reflectance) * arriving).sum();
+                const Eigen::ArrayXd leaving = nodes.weight * (1.0 - nodes.reflectance) * arriving;
+                shares.escaped += leaving.tail(nodes.transmitting).matrix().transpose() * side.leaving;
             }
             if (with_derivatives) add_derivatives(space, i, light, shares);
         }

@@ -23,21 +23,22 @@ struct AngularEntry {
     Eigen::RowVectorXd by_cosine;  ///< derivative by the cosine of the ray that enters
 };
 
-/// One number for each way out: top, bottom.
-using PerExit = Eigen::RowVector2d;
+/// One number for each way out: top, bottom and, where there is one, the viewing cone.
+using PerExit = Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, 3>;
 
 /// The shares of the light that enters the topmost layer, and the derivatives of those that escape.
 struct AngularShares {
-    PerExit escaped = PerExit::Zero();
+    PerExit escaped;
     PerLayer<double> absorbed{};
-    PerExit by_entry_cosine = PerExit::Zero();
+    PerExit by_entry_cosine;
     PerLayer<PerExit> by_optical_depth;
     PerLayer<PerExit> by_rayleigh_depth;
     std::vector<PerExit> by_ratio;  ///< per side of the grid, by its ratio of refractive indices
 
-    explicit AngularShares(std::size_t sides) : by_ratio(sides, PerExit::Zero()) {
-        by_optical_depth.fill(PerExit::Zero());
-        by_rayleigh_depth.fill(PerExit::Zero());
+    explicit AngularShares(const AngularGrid& grid)
+        : escaped(PerExit::Zero(grid.exits)), by_entry_cosine(escaped), by_ratio(grid.sides.size(), escaped) {
+        by_optical_depth.fill(escaped);
+        by_rayleigh_depth.fill(escaped);
     }
 };
 
@@ -72,13 +73,13 @@ private:
     /// x = matrix x + payoff for the unknowns x of a space, per exit.
     struct Assembled {
         Eigen::MatrixXd matrix;
-        Eigen::MatrixX2d payoff;
+        Eigen::MatrixXd payoff;
     };
     /// The chance of each exit for rays that start a run at given cosines: one row per cosine.
     struct Prospects {
-        Eigen::MatrixX2d value;
-        Eigen::MatrixX2d by_cosine;
-        Eigen::MatrixX2d by_rayleigh_depth;
+        Eigen::MatrixXd value;
+        Eigen::MatrixXd by_cosine;
+        Eigen::MatrixXd by_rayleigh_depth;
     };
     [[nodiscard]] Eigen::MatrixXd starts(const RayKind& kind, const Eigen::ArrayXd& cosine,
                                          const Tabulated& polynomials) const;
@@ -95,8 +96,8 @@ private:
     const AngularMedium* medium_;
     const AngularEntry* entry_;
     PerExit by_entry_cosine_;
-    std::vector<Eigen::VectorXd> visits_;     // per space: how often each kind of start is expected
-    std::vector<Eigen::MatrixX2d> prospect_;  // per space: the chance of each exit after each kind of start
+    std::vector<Eigen::VectorXd> visits_;    // per space: how often each kind of start is expected
+    std::vector<Eigen::MatrixXd> prospect_;  // per space: the chance of each exit after each kind of start
 };
 
 }  // namespace skinfit

@@ -85,7 +85,7 @@ const std::array<Row, parameter_count> rows = {{
       "aspect ratio of the surface folds; steers surface-reflected rays only", table1},
      &Skin::fold_aspect_ratio},
     {{Parameter::scale, "scale", "", 0.01, 100, 0.5, 2, false, "measured = scale * modelled + offset",
-      "skinfit: a 45/0 reading exceeds the hemispherical reflectance by 1.1-1.2, contact instruments lose about 10 %"},
+      "skinfit: fits of 45/0 readings ask for about 1.1, contact instruments lose about 10 %"},
      &Instrument::scale},
     {{Parameter::offset, "offset", "", -1, 1, -0.1, 0.1, false, "measured = scale * modelled + offset",
       "skinfit: stray light and dark level"},

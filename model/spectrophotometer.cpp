@@ -1,13 +1,15 @@
 #include "model/spectrophotometer.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
-#include "model/angular_solver.hpp"
+#include "model/viewing_cone.hpp"
 
 namespace skinfit {
 
 double surface_weight(const Experiment& experiment) {
+    if (experiment.viewing_cone_rad) return 0.0;
     return experiment.specular == Specular::included ? 1.0 : experiment.values.instrument.specular_fraction;
 }
 
@@ -33,18 +35,21 @@ std::vector<Reading> read_by_walk(const Experiment& experiment, const std::vecto
                                   std::uint64_t rays, std::uint64_t seed) {
     const Instrument& instrument = experiment.values.instrument;
     const double collected = surface_weight(experiment);
-    const std::vector<WalkCounts> counts =
-        random_walk(experiment.sample(), true_wavelengths_nm(experiment, wavelengths_nm),
-                    {.incidence_rad = experiment.incidence_rad, .rays = rays, .seed = seed});
+    const std::vector<double> true_nm = true_wavelengths_nm(experiment, wavelengths_nm);
+    const WalkOptions options{.incidence_rad = experiment.incidence_rad, .rays = rays, .seed = seed};
+    const std::vector<ViewedCounts> counts =
+        viewed_walk(experiment.sample(), true_nm, options, experiment.viewing_cone_rad);
+    const double seen = 1.0 / white_share(experiment.viewing_cone_rad);
     std::vector<Reading> readings;
     for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
         const auto n = static_cast<double>(rays);
-        const double surface = static_cast<double>(counts[i].surface_reflected) / n;
-        const double subsurface = static_cast<double>(counts[i].subsurface_reflected) / n;
-        const double transmitted = static_cast<double>(counts[i].transmitted) / n;
-        const double reflected = subsurface + collected * surface;
-        // Each ray counts 1, `collected` or 0: the variance of that, over n.
-        const double reflected_variance = subsurface + collected * collected * surface - reflected * reflected;
+        const double surface = static_cast<double>(counts[i].totals.surface_reflected) / n;
+        const double viewed = static_cast<double>(counts[i].viewed) / n;
+        const double transmitted = static_cast<double>(counts[i].totals.transmitted) / n;
+        const double reflected = seen * viewed + collected * surface;
+        // Each ray counts `seen`, `collected` or 0: the variance of that, over n.
+        const double reflected_variance =
+            seen * seen * viewed + collected * collected * surface - reflected * reflected;
         const double transmitted_variance = transmitted - transmitted * transmitted;
         const auto standard_error = [&](double variance) {
             return instrument.scale * std::sqrt(std::max(0.0, variance) / (n - 1.0));
@@ -59,14 +64,19 @@ std::vector<Reading> read_by_walk(const Experiment& experiment, const std::vecto
     return readings;
 }
 
+AngularSolver angular_solver(const Experiment& experiment) {
+    return {experiment.sample(),
+            {.incidence_rad = experiment.incidence_rad, .viewing_cone_rad = experiment.viewing_cone_rad}};
+}
+
 std::vector<Reading> read_by_solver(const Experiment& experiment, const std::vector<double>& wavelengths_nm) {
     const Instrument& instrument = experiment.values.instrument;
     const std::vector<double> true_nm = true_wavelengths_nm(experiment, wavelengths_nm);
-    const AngularSolver solver(experiment.sample(), {.incidence_rad = experiment.incidence_rad});
+    const AngularSolver solver = angular_solver(experiment);
     std::vector<Reading> readings;
     for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
         const AngularResponse light = solver.shares(true_nm[i]);
-        const double reflected = light.reflected.share + surface_weight(experiment) * light.surface.share;
+        const double reflected = light.viewed.share + surface_weight(experiment) * light.surface.share;
         readings.push_back({.wavelength_nm = wavelengths_nm[i],
                             .reflectance = instrument.scale * reflected + instrument.offset,
                             .reflectance_se = 0.0,
@@ -79,6 +89,7 @@ std::vector<Reading> read_by_solver(const Experiment& experiment, const std::vec
 
 std::vector<Reading> read_by_paths(const Experiment& experiment, const std::vector<double>& wavelengths_nm,
                                    const PathEnsemble& ensemble) {
+    assert(!experiment.viewing_cone_rad);
     const Instrument& instrument = experiment.values.instrument;
     const double surface = ensemble.surface_share();
     const std::vector<EnsembleResponse> responses = ensemble.respond(optical_depths(

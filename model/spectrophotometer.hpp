@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/geometry.hpp"
+#include "model/angular_solver.hpp"
 #include "model/chromophores.hpp"
 #include "model/parameters.hpp"
 #include "model/path_ensemble.hpp"
@@ -19,13 +21,17 @@ struct Experiment {
     Base base;
     double incidence_rad = 0.0;
     Specular specular = Specular::included;
+    /// Half angle of the cone about the normal through which the instrument looks, up to pi/2; unset: it collects the
+    /// whole hemisphere. With a cone the reflectance is the reflectance factor: the radiance averaged over the cone
+    /// relative to that of a perfect white diffuser, without the surface reflection, which a 45/0 instrument avoids.
+    std::optional<double> viewing_cone_rad = {};
 
     [[nodiscard]] Sample sample() const {
         return {.skin = values.skin, .edition = edition, .layers = layers, .base = base};
     }
 };
 
-/// The share of the surface reflectance that reaches the detector.
+/// The share of the surface reflectance that reaches the detector; with a viewing cone none.
 [[nodiscard]] double surface_weight(const Experiment& experiment);
 
 /// The wavelengths at which the model is evaluated for an instrument that states `wavelengths_nm`.
@@ -35,9 +41,9 @@ struct Experiment {
 /// What the instrument reads at one wavelength, as fractions.
 struct Reading {
     double wavelength_nm;  ///< as the instrument states it
-    double reflectance;    ///< scale * (subsurface + collected surface reflectance) + offset
+    double reflectance;    ///< scale * (subsurface reflectance or its factor + collected surface reflectance) + offset
     double reflectance_se;
-    double transmittance;  ///< scale * transmitted share + offset
+    double transmittance;  ///< scale * transmitted share + offset, whatever the viewing cone
     double transmittance_se;
     double surface_reflectance;  ///< of the surface alone, whether collected or not
 };
@@ -46,10 +52,13 @@ struct Reading {
 [[nodiscard]] std::vector<Reading> read_by_walk(const Experiment& experiment, const std::vector<double>& wavelengths_nm,
                                                 std::uint64_t rays, std::uint64_t seed);
 
-/// The readings by an ensemble traced for this experiment at `true_wavelengths_nm`.
+/// The readings by an ensemble traced for this experiment, which has no viewing cone, at `true_wavelengths_nm`.
 [[nodiscard]] std::vector<Reading> read_by_paths(const Experiment& experiment,
                                                  const std::vector<double>& wavelengths_nm,
                                                  const PathEnsemble& ensemble);
+
+/// The angular solver of the experiment's sample, incidence and viewing cone.
+[[nodiscard]] AngularSolver angular_solver(const Experiment& experiment);
 
 /// The readings by the angular solver: without noise, so that all standard errors are zero.
 [[nodiscard]] std::vector<Reading> read_by_solver(const Experiment& experiment,

@@ -40,6 +40,7 @@ FitResult all_fixed() {
     result.degrees_of_freedom = 26;
     result.p_value = 0.26;
     result.runs_p_value = 0.4;
+    result.inflation = 1.0786;
     result.median_sigma = 0.006;
     result.monte_carlo_error = 0.00042;
     result.wavelength_nm = {400, 550, 700};
@@ -56,6 +57,19 @@ void make_free(FitResult& result, Parameter parameter, double value, const Param
     result.free.push_back(parameter);
     result.configuration.free[static_cast<std::size_t>(parameter)] = true;
     result.answer.minimum.values.push_back(value);
+}
+
+/// Of five parameters: the first two trade against each other, nothing is known of the last.
+Identifiability example_identifiability(const std::vector<Parameter>& free) {
+    Identifiability found{.parameters = free, .directions = {}, .shrinkage = {0.9999, 0.997, 0.93, 0.99, 0.02}};
+    const std::vector<std::vector<double>> components = {
+        {0.9, 0.43, 0.05, 0, 0}, {0, 0, 0, 1, 0}, {0, 0, 1, 0, 0.02}, {-0.43, 0.9, 0, 0, 0.01}, {0, 0, 0, 0, -1}};
+    const std::vector<double> singular_values = {212.3, 10.5, 3.6, 2.2, 0.14};
+    for (std::size_t k = 0; k < components.size(); ++k) {
+        found.directions.push_back({.singular_value = singular_values[k],
+                                    .components = Eigen::Map<const Eigen::VectorXd>(components[k].data(), 5)});
+    }
+    return found;
 }
 
 void judge(FitResult& result) {
@@ -79,6 +93,7 @@ FitResult example_result() {
     result.priors = {"oxygen_saturation: beta, a 2, b 2"};
     result.correlation = Eigen::MatrixXd::Identity(5, 5);
     result.correlation(0, 1) = result.correlation(1, 0) = -0.934;
+    result.identifiability = example_identifiability(result.free);
     result.answer.solver = Solver::ceres;
     result.answer.minimum.chi2 = 30.25;
     result.answer.minimum.cost = 31.5;
@@ -108,8 +123,31 @@ FitResult trustworthy_result() {
     make_free(result, Parameter::melanosome_fraction, 0.0234567, plain(0.00123, 0.000045, {0.02104, 0.02587}));
     result.correlation = Eigen::MatrixXd::Identity(1, 1);
     result.answer.minimum.cost = result.cost;
+    result.identifiability = {.parameters = result.free,
+                              .directions = {{.singular_value = 117.4, .components = Eigen::VectorXd::Ones(1)}},
+                              .shrinkage = {0.99993}};
     result.answer.minimum.converged = true;
     result.minima = {{.minimum = result.answer.minimum, .searches = 8}};
+    judge(result);
+    return result;
+}
+
+FitResult sampled_result() {
+    FitResult result = trustworthy_result();
+    result.configuration.uncertainty = UncertaintyMethod::posterior;
+    result.posterior = {.marginals = {{.median = 0.023501,
+                                       .mean = 0.02352,
+                                       .sigma = 0.00124,
+                                       .lower = 0.02105,
+                                       .upper = 0.02599,
+                                       .r_hat = 1.0012,
+                                       .bulk_effective_size = 1834.2,
+                                       .tail_effective_size = 1402.7}},
+                        .correlation = Eigen::MatrixXd::Identity(1, 1),
+                        .draws = Eigen::MatrixXd::Constant(1, 4, 0.0235),
+                        .chains = 2,
+                        .divergences = 1,
+                        .evaluations = 14321};
     judge(result);
     return result;
 }

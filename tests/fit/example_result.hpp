@@ -10,4 +10,7 @@ namespace skinfit::test {
 /// The same where all is well: one free parameter, verdict trustworthy.
 [[nodiscard]] FitResult trustworthy_result();
 
+/// The trustworthy one with a posterior in which one step diverged: suspect.
+[[nodiscard]] FitResult sampled_result();
+
 }  // namespace skinfit::test

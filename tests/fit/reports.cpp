@@ -33,6 +33,10 @@ TEST(TextReport, SaysLittleWhereAllIsWell) {
     expect_golden(text_report(trustworthy_result()), "trustworthy.txt");
 }
 
+TEST(TextReport, ShowsHowThePosteriorWasSampled) {
+    expect_golden(text_report(sampled_result()), "sampled.txt");
+}
+
 TEST(TextReport, LinesEndWithoutBlanks) {
     EXPECT_EQ(text_report(example_result()).find(" \n"), std::string::npos);
 }
@@ -51,6 +55,22 @@ TEST(JsonReport, HasEveryKey) {
             EXPECT_TRUE(parameter.contains(key)) << name << " " << key;
         }
     }
+}
+
+TEST(JsonReport, HoldsWhatIsKnownOfTheUncertainty) {
+    const Json plain = json_report(example_result())["uncertainty"];
+    EXPECT_EQ(plain["intervals"], "covariance");
+    EXPECT_EQ(plain["inflation"], 1.0786);
+    EXPECT_EQ(plain["directions"].size(), 5U);
+    EXPECT_EQ(plain["directions"][3]["words"], "papillary_blood_fraction trades against melanosome_fraction");
+    EXPECT_EQ(plain["directions"][4]["weak"], true);
+    EXPECT_EQ(plain["shrinkage"]["bilirubin_g_per_l"], 0.99);
+    EXPECT_FALSE(plain.contains("posterior"));
+    const Json sampled = json_report(sampled_result())["uncertainty"];
+    EXPECT_EQ(sampled["intervals"], "posterior");
+    EXPECT_EQ(sampled["posterior"]["divergences"], 1);
+    EXPECT_EQ(sampled["posterior"]["draws_per_chain"], 2);
+    EXPECT_EQ(sampled["posterior"]["parameters"]["melanosome_fraction"]["r_hat"], 1.0012);
 }
 
 TEST(JsonReport, RepeatsTheResult) {

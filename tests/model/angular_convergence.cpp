@@ -36,6 +36,28 @@ TEST_P(Accuracy, EachResolutionIsAsAccurateAsItSays) {
 
 INSTANTIATE_TEST_SUITE_P(Angular, Accuracy, testing::ValuesIn(all_angular_cases()), case_name);
 
+// The factor of a cone is the light of single directions and has no more than half the accuracy of the shares, as
+// docs/model.md says.
+TEST(ConeAccuracy, At45DegreesTheFactorIsWithinTwiceTheAccuracyOfShares) {
+    for (const AngularCase& angular : all_angular_cases()) {
+        if (angular.incidence_rad != 45 * rad_per_deg) continue;
+        const auto solver = [&](const AngularResolution& resolution) {
+            return AngularSolver(angular.sample, {.incidence_rad = angular.incidence_rad,
+                                                  .viewing_cone_rad = 5 * rad_per_deg,
+                                                  .resolution = resolution});
+        };
+        const AngularSolver fine = solver(beyond_all);
+        for (const double accuracy : {1e-3, 1e-4, 2e-5}) {
+            const AngularSolver coarse = solver(AngularResolution::for_accuracy(accuracy));
+            for (double wavelength_nm = 400; wavelength_nm <= 700; wavelength_nm += 50) {
+                EXPECT_NEAR(coarse.shares(wavelength_nm).viewed.share, fine.shares(wavelength_nm).viewed.share,
+                            2.0 * accuracy)
+                    << angular.name << ", " << wavelength_nm << " nm";
+            }
+        }
+    }
+}
+
 /// The root mean square over the cases of an edition: single cases are irregular, since panels move past the critical
 /// angles and errors change sign.
 double typical_error(Edition edition, const AngularResolution& resolution) {

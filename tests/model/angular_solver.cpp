@@ -7,6 +7,7 @@
 
 #include "core/input_error.hpp"
 #include "model/chromophores.hpp"
+#include "model/viewing_cone.hpp"
 #include "tests/model/angular_samples.hpp"
 
 namespace skinfit {
@@ -15,13 +16,14 @@ namespace {
 // Backward-stable elimination of some 200 unknowns whose matrix has a condition number of order 10:
 // 200 * 10 * 2.2e-16 = 5e-13.
 constexpr double rounding = 1e-12;
+constexpr double cone_rad = 0.2;
 
 class EverySample : public testing::TestWithParam<AngularCase> {
 protected:
     [[nodiscard]] static AngularSolver solver(const Skin& skin) {
         Sample sample = GetParam().sample;
         sample.skin = skin;
-        return {sample, {.incidence_rad = GetParam().incidence_rad}};
+        return {sample, {.incidence_rad = GetParam().incidence_rad, .viewing_cone_rad = cone_rad}};
     }
 };
 
@@ -53,12 +55,13 @@ TEST_P(EverySample, DerivativesMatchDifferences) {
             continue;
         }
         const std::array<AngularResponse, 4> points = {at(-2.0 * step), at(-step), at(step), at(2.0 * step)};
-        for (const auto share :
-             {&AngularResponse::surface, &AngularResponse::reflected, &AngularResponse::transmitted}) {
+        for (const auto share : {&AngularResponse::surface, &AngularResponse::reflected, &AngularResponse::transmitted,
+                                 &AngularResponse::viewed}) {
             const double near = ((points[2].*share).share - (points[1].*share).share) / (2.0 * step);
             const double far = ((points[3].*share).share - (points[0].*share).share) / (4.0 * step);
             // The truncation error of a central difference is a third of its change when the step doubles.
-            const double bound = std::abs(far - near) + rounding / step;
+            const double noise = rounding / (share == &AngularResponse::viewed ? white_share(cone_rad) : 1.0);
+            const double bound = std::abs(far - near) + noise / step;
             EXPECT_NEAR((response.*share).by_parameter[p], near, bound) << row.name;
         }
     }
@@ -68,6 +71,7 @@ TEST_P(EverySample, RespondsTheSameWithAndWithoutDerivatives) {
     const AngularSolver angular = solver(GetParam().sample.skin);
     EXPECT_EQ(angular.shares(500).reflected.share, angular.respond(500).reflected.share);
     EXPECT_EQ(angular.shares(500).transmitted.share, angular.respond(500).transmitted.share);
+    EXPECT_EQ(angular.shares(500).viewed.share, angular.respond(500).viewed.share);
 }
 
 TEST_P(EverySample, AnotherSkinIsANewSolver) {
@@ -81,6 +85,7 @@ TEST_P(EverySample, AnotherSkinIsANewSolver) {
         const AngularResponse reused = solver(GetParam().sample.skin).with(skin).respond(520);
         EXPECT_EQ(fresh.reflected.share, reused.reflected.share);
         EXPECT_EQ(fresh.reflected.by_parameter, reused.reflected.by_parameter);
+        EXPECT_EQ(fresh.viewed.by_parameter, reused.viewed.by_parameter);
         EXPECT_EQ(fresh.transmitted.by_parameter, reused.transmitted.by_parameter);
     }
 }

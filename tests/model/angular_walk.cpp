@@ -10,6 +10,7 @@
 #include "model/angular_solver.hpp"
 #include "model/chromophores.hpp"
 #include "model/random_walk.hpp"
+#include "model/viewing_cone.hpp"
 #include "tests/model/angular_samples.hpp"
 
 /// The angular solver against random walks of the same law.
@@ -182,6 +183,44 @@ TEST(ExitShares, HaveTheDistributionOfTheWalk) {
         EXPECT_GT(exit_p_value(solver, 620, Side::bottom, rays, edges, counts.count[1]), passing_p_value)
             << angular.name;
     }
+}
+
+/// The p-value of the rays in a cone and outside it where they leave through the top, and of all others.
+double view_p_value(const ViewedCounts& walk, double walked_cone_rad, const AngularResponse& response) {
+    const double viewed_share = response.viewed.share * white_share(walked_cone_rad);
+    const std::uint64_t unseen = walk.totals.subsurface_reflected - walk.viewed;
+    PearsonTest test;
+    test.add(walk.viewed, viewed_share, walk.totals.rays);
+    test.add(unseen, response.reflected.share - viewed_share, walk.totals.rays);
+    test.add(walk.totals.rays - walk.totals.subsurface_reflected, 1.0 - response.reflected.share, walk.totals.rays);
+    return test.p_value();
+}
+
+TEST(ViewingConeAgainstWalk, TheWalkLeavesIntoTheConeAsSolved) {
+    const std::vector<double> wavelengths_nm = {460, 640};
+    for (const double cone_rad : {0.15, 0.7}) {
+        for (const AngularCase& angular : all_angular_cases()) {
+            const WalkOptions options{.incidence_rad = angular.incidence_rad, .rays = 200'000, .seed = 23};
+            const auto walks = viewed_walk(angular.sample, wavelengths_nm, options, cone_rad);
+            const AngularSolver solver(angular.sample, {.incidence_rad = angular.incidence_rad,
+                                                        .viewing_cone_rad = cone_rad,
+                                                        .resolution = AngularResolution::for_accuracy(2e-5)});
+            for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
+                EXPECT_GT(view_p_value(walks[i], cone_rad, solver.shares(wavelengths_nm[i])), passing_p_value)
+                    << angular.name << ", " << wavelengths_nm[i] << " nm, cone " << cone_rad;
+            }
+        }
+    }
+}
+
+TEST(ViewingConeAgainstWalk, ATwentiethMoreConeIsNoticed) {
+    const WalkOptions options{.incidence_rad = 0.8, .rays = 400'000, .seed = 24};
+    const ViewedCounts walk = viewed_walk(Sample{}, {640}, options, 0.5).front();
+    const auto solved = [](double cone_rad) {
+        return AngularSolver(Sample{}, {.incidence_rad = 0.8, .viewing_cone_rad = cone_rad}).shares(640);
+    };
+    EXPECT_GT(view_p_value(walk, 0.5, solved(0.5)), passing_p_value);
+    EXPECT_LT(view_p_value(walk, 0.525, solved(0.525)), passing_p_value);
 }
 
 }  // namespace

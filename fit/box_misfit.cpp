@@ -1,0 +1,196 @@
+#include "fit/box_misfit.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace skinfit {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Keeps directions without effect solvable: a standard deviation of a thousand widths of the box.
+constexpr double least_information = 1e-6;
+
+struct Limits {
+    VectorXd lowest;
+    VectorXd highest;
+};
+
+/// Which entries of `step` may move, given the slope of the quadratic model there.
+bool is_pressed(double step, double lowest, double highest, double slope) {
+    return (step <= lowest && slope >= 0.0) || (step >= highest && slope <= 0.0);
+}
+
+/// Moves the unheld entries of `step` towards the minimum of the quadratic model until one meets its limit, which is
+/// returned; -1 where none does.
+Index advance(const MatrixXd& curvature, const VectorXd& slope, const Limits& limits, const std::vector<Index>& moving,
+              VectorXd& step) {
+    const VectorXd towards = -MatrixXd(curvature(moving, moving)).ldlt().solve(VectorXd(slope(moving)));
+    double share = 1.0;
+    Index met = -1;
+    for (std::size_t k = 0; k < moving.size(); ++k) {
+        const Index i = moving[k];
+        const double move = towards[static_cast<Index>(k)];
+        if (move == 0.0) continue;
+        const double room = ((move > 0.0 ? limits.highest[i] : limits.lowest[i]) - step[i]) / move;
+        if (room < share) {
+            share = std::max(room, 0.0);
+            met = i;
+        }
+    }
+    for (std::size_t k = 0; k < moving.size(); ++k) step[moving[k]] += share * towards[static_cast<Index>(k)];
+    if (met >= 0) {
+        const double middle = 0.5 * (limits.lowest[met] + limits.highest[met]);
+        step[met] = step[met] > middle ? limits.highest[met] : limits.lowest[met];
+    }
+    return met;
+}
+
+/// Minimises gradient . step + step . curvature step / 2 within the limits by the primal active-set method.
+VectorXd constrained_step(const MatrixXd& curvature, const VectorXd& gradient, const Limits& limits) {
+    const Index size = gradient.size();
+    VectorXd step = limits.lowest.cwiseMax(limits.highest.cwiseMin(0.0));
+    std::vector<bool> held(static_cast<std::size_t>(size));
+    const VectorXd first_slope = gradient + curvature * step;
+    for (Index i = 0; i < size; ++i) {
+        held[static_cast<std::size_t>(i)] = is_pressed(step[i], limits.lowest[i], limits.highest[i], first_slope[i]);
+    }
+    const Index most_rounds = 10 * size + 10;
+    for (Index round = 0; round < most_rounds; ++round) {
+        std::vector<Index> moving;
+        for (Index i = 0; i < size; ++i) {
+            if (!held[static_cast<std::size_t>(i)] && limits.lowest[i] < limits.highest[i]) moving.push_back(i);
+        }
+        const Index met = advance(curvature, gradient + curvature * step, limits, moving, step);
+        if (met >= 0) {
+            held[static_cast<std::size_t>(met)] = true;
+            continue;
+        }
+        const VectorXd slope = gradient + curvature * step;
+        Index released = -1;
+        for (Index i = 0; i < size; ++i) {
+            if (!held[static_cast<std::size_t>(i)] || limits.lowest[i] >= limits.highest[i]) continue;
+            if (is_pressed(step[i], limits.lowest[i], limits.highest[i], slope[i])) continue;
+            if (released < 0 || std::abs(slope[i]) > std::abs(slope[released])) released = i;
+        }
+        if (released < 0) break;
+        held[static_cast<std::size_t>(released)] = false;
+    }
+    return step;
+}
+
+/// To the surface of the box from `position`.
+Limits room_around(const VectorXd& position) {
+    return {.lowest = -position, .highest = (1.0 - position.array()).matrix()};
+}
+
+VectorXd in_box(const VectorXd& position) {
+    return position.cwiseMax(0.0).cwiseMin(1.0);
+}
+
+BoxPoint point_at(const BoxMisfit& misfit, VectorXd position) {
+    BoxPoint point{.position = std::move(position), .misfit = {}, .cost = 0.0};
+    point.misfit = misfit(point.position);
+    point.cost = point.misfit.residual.squaredNorm();
+    return point;
+}
+
+}  // namespace
+
+BoxMisfit in_unit_box(const Objective& objective) {
+    return [&objective](const VectorXd& position) {
+        const std::vector<FreeParameter>& free = objective.problem().free;
+        Misfit misfit = objective.misfit(values_at(objective.problem(), position));
+        for (Index column = 0; column < position.size(); ++column) {
+            const Bounds& bounds = free[static_cast<std::size_t>(column)].bounds;
+            misfit.jacobian.col(column) *= bounds.upper - bounds.lower;
+        }
+        return misfit;
+    };
+}
+
+VectorXd box_position(const FitProblem& problem, std::span<const double> values) {
+    VectorXd position(static_cast<Index>(values.size()));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const Bounds& bounds = problem.free[i].bounds;
+        position[static_cast<Index>(i)] = (values[i] - bounds.lower) / (bounds.upper - bounds.lower);
+    }
+    return position;
+}
+
+std::vector<double> values_at(const FitProblem& problem, const VectorXd& position) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < problem.free.size(); ++i) {
+        const Bounds& bounds = problem.free[i].bounds;
+        const double share = position[static_cast<Index>(i)];
+        // Exactly the bound at 0 and 1, whatever the rounding.
+        values.push_back(share == 1.0 ? bounds.upper : bounds.lower + share * (bounds.upper - bounds.lower));
+    }
+    return values;
+}
+
+Descent descend(const BoxMisfit& misfit, const VectorXd& start, std::optional<Index> held, double tolerance) {
+    constexpr int most_evaluations = 200;
+    Descent descent{.point = point_at(misfit, in_box(start)), .evaluations = 1, .converged = false};
+    double damping = 0.0;
+    while (descent.evaluations < most_evaluations) {
+        const BoxPoint& point = descent.point;
+        const MatrixXd information = point.misfit.jacobian.transpose() * point.misfit.jacobian;
+        const VectorXd gradient = point.misfit.jacobian.transpose() * point.misfit.residual;
+        MatrixXd damped = information;
+        damped.diagonal().array() += damping * information.diagonal().array() + least_information;
+        Limits limits = room_around(point.position);
+        if (held) limits.lowest[*held] = limits.highest[*held] = 0.0;
+        const VectorXd step = constrained_step(damped, gradient, limits);
+        const double promised = -(2.0 * gradient.dot(step) + step.dot(information * step));
+        // A damped step promises little of what a full one would.
+        if (promised < tolerance * (damping > 0.0 ? 1e-3 : 1.0)) {
+            descent.converged = true;
+            break;
+        }
+        BoxPoint trial = point_at(misfit, in_box(point.position + step));
+        ++descent.evaluations;
+        const double gained = point.cost - trial.cost;
+        if (gained > 0.1 * promised) damping = damping > 1e-3 ? damping / 10.0 : 0.0;
+        if (!(gained > 0.0)) {
+            damping = std::max(10.0 * damping, 1e-3);
+            continue;
+        }
+        descent.point = std::move(trial);
+    }
+    return descent;
+}
+
+VectorXd step_along(const BoxPoint& point, Index column, double change) {
+    const MatrixXd& jacobian = point.misfit.jacobian;
+    MatrixXd curvature = jacobian.transpose() * jacobian;
+    curvature.diagonal().array() += least_information;
+    Limits limits = room_around(point.position);
+    limits.lowest[column] = limits.highest[column] = change;
+    return constrained_step(curvature, jacobian.transpose() * point.misfit.residual, limits);
+}
+
+double sigma_along(const BoxPoint& point, Index column) {
+    const MatrixXd& jacobian = point.misfit.jacobian;
+    const VectorXd slope = jacobian.transpose() * point.misfit.residual;
+    std::vector<Index> others;
+    for (Index i = 0; i < slope.size(); ++i) {
+        if (i != column && !is_pressed(point.position[i], 0.0, 1.0, slope[i])) others.push_back(i);
+    }
+    VectorXd left_over = jacobian.col(column);
+    if (!others.empty()) {
+        const MatrixXd others_jacobian = jacobian(Eigen::all, others);
+        MatrixXd curvature = others_jacobian.transpose() * others_jacobian;
+        curvature.diagonal().array() += least_information;
+        left_over -= others_jacobian * curvature.ldlt().solve(others_jacobian.transpose() * left_over);
+    }
+    const double information = left_over.squaredNorm();
+    return information > 0.0 ? 1.0 / std::sqrt(information) : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace skinfit

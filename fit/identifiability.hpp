@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "fit/objective.hpp"
+
+namespace skinfit {
+
+/// A combination of parameters and how well the spectrum knows it.
+struct Direction {
+    /// By how many sigmas of noise the spectrum changes for one prior standard deviation along the direction.
+    double singular_value;
+    Eigen::VectorXd components;  ///< of the free parameters, in prior standard deviations; of unit length
+
+    /// The spectrum says less about it than the bounds or priors do.
+    [[nodiscard]] bool is_weak() const { return singular_value < 1.0; }
+};
+
+/// What a spectrum can tell about the free parameters around one point, to first order. A parameter without a prior of
+/// its own counts as uniform between its bounds: a standard deviation of width / sqrt(12).
+struct Identifiability {
+    std::vector<Parameter> parameters;  ///< the free ones
+    std::vector<Direction> directions;  ///< best known first
+    /// 1 - variance with the spectrum / variance without it, of each parameter: near 1 where the spectrum decides.
+    std::vector<double> shrinkage;
+};
+
+/// From the derivatives of the data's residuals, in sigmas, by the free parameters.
+[[nodiscard]] Identifiability identifiability(const Eigen::MatrixXd& jacobian, const std::vector<FreeParameter>& free);
+
+/// The same for the data of `objective` at values of its free parameters.
+[[nodiscard]] Identifiability identifiability(const Objective& objective, std::span<const double> values);
+
+/// The parameters that make up most of a direction: `a trades against b` where one rises and the other falls without
+/// the spectrum changing as much as it would for either.
+[[nodiscard]] std::string in_words(const Direction& direction, const std::vector<Parameter>& parameters);
+
+}  // namespace skinfit

@@ -1,0 +1,114 @@
+#include "fit/inference.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace skinfit {
+namespace {
+
+using Eigen::Index;
+
+double value_at(const Bounds& bounds, double position) {
+    return position == 1.0 ? bounds.upper : bounds.lower + position * (bounds.upper - bounds.lower);
+}
+
+bool is_at_bound(Status status) {
+    return status == Status::at_lower_bound || status == Status::at_upper_bound;
+}
+
+/// `linear` with another interval, identifiable or not as that says.
+ParameterUncertainty with_interval(ParameterUncertainty linear, const Bounds& interval, bool is_identifiable) {
+    linear.interval_95 = interval;
+    if (!is_identifiable) {
+        return {.status = Status::not_identifiable,
+                .sigma = std::nullopt,
+                .monte_carlo_sigma = std::nullopt,
+                .interval_95 = interval};
+    }
+    if (!is_at_bound(linear.status)) linear.status = Status::free;
+    return linear;
+}
+
+void use_profile(const Objective& objective, Inference& inference) {
+    const FitProblem& problem = objective.problem();
+    inference.profile = profile_intervals(in_unit_box(objective), box_position(problem, inference.minimum.values));
+    if (inference.profile->better_minimum) {
+        inference.minimum.values = values_at(problem, inference.profile->minimum);
+        inference.minimum.chi2 = objective.chi2(inference.minimum.values);
+        inference.minimum.cost = objective.misfit(inference.minimum.values).cost();
+        inference.uncertainty = estimate_uncertainty(objective, inference.minimum);
+    }
+    for (std::size_t i = 0; i < problem.free.size(); ++i) {
+        const ProfileInterval& found = inference.profile->intervals[i];
+        const Bounds& bounds = problem.free[i].bounds;
+        ParameterUncertainty& row = inference.uncertainty.parameters[i];
+        row =
+            with_interval(row, {value_at(bounds, found.lower), value_at(bounds, found.upper)}, !found.is_everything());
+        if (row.status != Status::free) continue;
+        // The linear model calls what is flat at its bound not identifiable before it asks where it lies.
+        if (inference.minimum.values[i] == bounds.lower) row.status = Status::at_lower_bound;
+        if (inference.minimum.values[i] == bounds.upper) row.status = Status::at_upper_bound;
+    }
+}
+
+/// `posterior` of positions as one of values.
+Posterior in_values(Posterior posterior, const std::vector<FreeParameter>& free) {
+    for (std::size_t i = 0; i < free.size(); ++i) {
+        const Bounds& bounds = free[i].bounds;
+        const double width = bounds.upper - bounds.lower;
+        Marginal& marginal = posterior.marginals[i];
+        for (double* const place : {&marginal.median, &marginal.mean, &marginal.lower, &marginal.upper}) {
+            *place = bounds.lower + width * *place;
+        }
+        marginal.sigma *= width;
+        auto draws = posterior.draws.row(static_cast<Index>(i));
+        draws = (bounds.lower + width * draws.array()).matrix().eval();
+    }
+    return posterior;
+}
+
+void use_posterior(const Objective& objective, std::uint64_t seed, Inference& inference) {
+    const FitProblem& problem = objective.problem();
+    const Posterior positions =
+        sample_posterior(in_unit_box(objective), box_position(problem, inference.minimum.values), {.seed = seed});
+    inference.posterior = in_values(positions, problem.free);
+    for (std::size_t i = 0; i < problem.free.size(); ++i) {
+        const Marginal& marginal = inference.posterior->marginals[i];
+        const Bounds& bounds = problem.free[i].bounds;
+        const double prior_variance = (bounds.upper - bounds.lower) * (bounds.upper - bounds.lower) / 12.0;
+        const double shrinkage = 1.0 - marginal.sigma * marginal.sigma / prior_variance;
+        inference.identifiability.shrinkage[i] = shrinkage;
+        ParameterUncertainty& row = inference.uncertainty.parameters[i];
+        row = with_interval(row, {marginal.lower, marginal.upper}, shrinkage >= 0.5);
+    }
+}
+
+}  // namespace
+
+Inference infer(const Objective& objective, const Minimum& minimum, UncertaintyMethod method, std::uint64_t seed) {
+    Inference inference{.minimum = minimum,
+                        .uncertainty = estimate_uncertainty(objective, minimum),
+                        .identifiability = {},
+                        .profile = {},
+                        .posterior = {}};
+    if (method == UncertaintyMethod::profile) use_profile(objective, inference);
+    inference.identifiability = identifiability(objective, inference.minimum.values);
+    if (method == UncertaintyMethod::posterior) use_posterior(objective, seed, inference);
+    return inference;
+}
+
+std::string samples_csv(const Posterior& posterior, const std::vector<Parameter>& free) {
+    std::string text = "chain,draw";
+    for (const Parameter parameter : free) text += fmt::format(",{}", info(parameter).name);
+    text += "\n";
+    const Index draws = posterior.draws.cols() / posterior.chains;
+    for (Index column = 0; column < posterior.draws.cols(); ++column) {
+        text += fmt::format("{},{}", column / draws + 1, column % draws + 1);
+        for (const double value : posterior.draws.col(column)) text += fmt::format(",{}", value);
+        text += "\n";
+    }
+    return text;
+}
+
+}  // namespace skinfit

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "fit/box_misfit.hpp"
+#include "fit/nuts.hpp"
+
+namespace skinfit {
+
+/// How to sample.
+struct SamplingOptions {
+    std::uint64_t seed = 1;
+    int chains = 4;
+    int warm_up = 300;                ///< transitions of each chain that are lost
+    double effective_samples = 1000;  ///< wanted of every parameter, for centre and tails
+    int most_draws = 4000;            ///< of each chain
+};
+
+/// What the draws say of one parameter, positions in the unit box.
+struct Marginal {
+    double median;
+    double mean;
+    double sigma;
+    double lower;  ///< 2.5 % quantile
+    double upper;  ///< 97.5 % quantile
+    double r_hat;
+    double bulk_effective_size;
+    double tail_effective_size;
+};
+
+/// Draws from exp(-cost / 2) over the unit box.
+struct Posterior {
+    std::vector<Marginal> marginals;
+    Eigen::MatrixXd correlation;
+    Eigen::MatrixXd draws;  ///< parameters x draws, chain after chain
+    int chains;
+    int divergences;
+    std::int64_t evaluations;
+};
+
+/// exp(-cost / 2) over the unit box as a density of the logits of the positions, so that a bound is infinitely far
+/// away and a density that is largest at a bound is sampled right.
+[[nodiscard]] DensityFunction logit_density(const BoxMisfit& misfit);
+
+/// Samples exp(-cost / 2) over the unit box: chains in parallel from around `minimum`, a first mass matrix by Laplace's
+/// approximation there, draws until every parameter has the wanted effective samples. Depends on the seed alone, not on
+/// the number of threads. `misfit` is called from several threads at a time.
+[[nodiscard]] Posterior sample_posterior(const BoxMisfit& misfit, const Eigen::VectorXd& minimum,
+                                         const SamplingOptions& options);
+
+}  // namespace skinfit

@@ -1,0 +1,170 @@
+#include "fit/profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace skinfit {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+// Of the cost: a thousandth of the rise at the end of an interval is less than a thousandth of a sigma.
+constexpr double cost_tolerance = 1e-3;
+constexpr double normal_95 = 1.9599639845400545;  // 97.5 % quantile of the normal distribution
+
+double normal_share_below(double x) {
+    return 0.5 * std::erfc(-x / std::sqrt(2.0));
+}
+
+/// A walk along the profile of one position, from the minimum towards one bound.
+class Walk {
+public:
+    Walk(const BoxMisfit& misfit, const BoxPoint& minimum, Index column, double limit)
+        : misfit_(&misfit), minimum_(&minimum), column_(column), limit_(limit) {}
+
+    struct End {
+        double position = 0.0;
+        bool open = false;
+        std::optional<VectorXd> lower_cost;  ///< met on the way
+        int evaluations = 0;
+    };
+    [[nodiscard]] End run();
+
+private:
+    [[nodiscard]] double first_distance() const;
+    [[nodiscard]] double next(double excess, double root);
+    [[nodiscard]] double excess_of(const BoxPoint& point, double root) const;
+
+    const BoxMisfit* misfit_;
+    const BoxPoint* minimum_;
+    Index column_;
+    double limit_;
+    double inside_ = 0.0;  // distances from the minimum
+    std::optional<double> outside_;
+    BoxPoint last_;
+};
+
+/// Where the linearised misfit has risen to the threshold.
+double Walk::first_distance() const {
+    const double sigma = sigma_along(*minimum_, column_);
+    const double direction = limit_ > minimum_->position[column_] ? 1.0 : -1.0;
+    const double slope =
+        std::max(0.0, direction * 2.0 * minimum_->misfit.jacobian.col(column_).dot(minimum_->misfit.residual));
+    const double curvature = 1.0 / (sigma * sigma);
+    const double rise = normal_95 * normal_95;
+    // The positive root of curvature d^2 + slope d = rise, in the form that survives curvature = 0.
+    return 2.0 * rise / (slope + std::sqrt(slope * slope + 4.0 * curvature * rise));
+}
+
+double Walk::excess_of(const BoxPoint& point, double root) const {
+    const double position = point.position[column_];
+    return root - critical_root(std::min(position, 1.0 - position) / sigma_along(point, column_));
+}
+
+/// Newton's next distance for a root that is `excess` above its threshold at `last_`, kept within what is known.
+double Walk::next(double excess, double root) {
+    const double whole = std::abs(limit_ - minimum_->position[column_]);
+    const double here = std::abs(last_.position[column_] - minimum_->position[column_]);
+    const double direction = limit_ > minimum_->position[column_] ? 1.0 : -1.0;
+    // By the envelope theorem the slope of the profile is that of the cost with the others held.
+    const double slope = direction * last_.misfit.jacobian.col(column_).dot(last_.misfit.residual) / root;
+    if (excess > 0.0) {
+        outside_ = here;
+    } else {
+        inside_ = here;
+    }
+    // Not too far at once: behind a ridge may lie another valley.
+    const double farthest = outside_.value_or(std::min(whole, 3.0 * here));
+    const double newton = slope > 0.0 ? std::min(here - excess / slope, farthest) : farthest;
+    const bool is_known = newton <= inside_ || (outside_ && newton >= *outside_);
+    return is_known ? 0.5 * (inside_ + farthest) : newton;
+}
+
+Walk::End Walk::run() {
+    constexpr double close_enough = 0.01;  // of the root; the last step of Newton's method leaves its square
+    constexpr int most_points = 40;
+    const double origin = minimum_->position[column_];
+    const double whole = std::abs(limit_ - origin);
+    const double direction = limit_ > origin ? 1.0 : -1.0;
+    End end{.position = limit_, .open = true, .lower_cost = {}, .evaluations = 0};
+    if (whole <= 0.0) return end;
+    last_ = *minimum_;
+    double distance = std::min(whole, first_distance());
+    for (int k = 0; k < most_points; ++k) {
+        const double target = distance >= whole ? limit_ : origin + direction * distance;
+        VectorXd start = last_.position + step_along(last_, column_, target - last_.position[column_]);
+        start[column_] = target;
+        Descent descent = descend(*misfit_, start, column_, cost_tolerance);
+        end.evaluations += descent.evaluations;
+        last_ = std::move(descent.point);
+        const double rise = last_.cost - minimum_->cost;
+        if (rise < -cost_tolerance) {
+            end.lower_cost = last_.position;
+            return end;
+        }
+        const double root = std::sqrt(std::max(rise, 1e-12));
+        const double excess = excess_of(last_, root);
+        if (target == limit_ && excess <= 0.0) return end;
+        const double tried = distance;
+        distance = next(excess, root);
+        if (std::abs(excess) < close_enough || std::abs(distance - tried) < 1e-9) break;
+    }
+    end.position = origin + direction * distance;
+    end.open = false;
+    return end;
+}
+
+/// The minimum over the box near `start`, to well below what matters.
+Descent settle(const BoxMisfit& misfit, const VectorXd& start) {
+    return descend(misfit, start, std::nullopt, 1e-6);
+}
+
+}  // namespace
+
+double critical_root(double distance) {
+    constexpr double coverage = 0.95;
+    if (distance >= normal_95) return normal_95;
+    // A measurement below the bound, too, excludes the value once it is `reach` below it.
+    const auto covered = [distance](double root) {
+        const double reach = root <= distance ? root : (distance * distance + root * root) / (2.0 * distance);
+        return normal_share_below(root) - normal_share_below(-reach);
+    };
+    double low = 1.6;
+    double high = normal_95;
+    for (int k = 0; k < 50; ++k) {
+        const double middle = 0.5 * (low + high);
+        (covered(middle) < coverage ? low : high) = middle;
+    }
+    return high;
+}
+
+Profile profile_intervals(const BoxMisfit& misfit, const VectorXd& minimum) {
+    constexpr int most_restarts = 10;
+    Descent best = settle(misfit, minimum);
+    Profile profile{.intervals = {}, .minimum = {}, .cost = 0.0, .better_minimum = false, .evaluations = 0};
+    const double given_cost = misfit(minimum).residual.squaredNorm();
+    profile.evaluations = best.evaluations + 1;
+    for (int restart = 0; restart < most_restarts; ++restart) {
+        profile.intervals.clear();
+        std::optional<VectorXd> lower_cost;
+        for (Index column = 0; column < minimum.size(); ++column) {
+            const Walk::End below = Walk(misfit, best.point, column, 0.0).run();
+            const Walk::End above = Walk(misfit, best.point, column, 1.0).run();
+            profile.evaluations += below.evaluations + above.evaluations;
+            if (below.lower_cost) lower_cost = below.lower_cost;
+            if (above.lower_cost) lower_cost = above.lower_cost;
+            profile.intervals.push_back(
+                {.lower = below.position, .upper = above.position, .open_below = below.open, .open_above = above.open});
+        }
+        if (!lower_cost) break;
+        best = settle(misfit, *lower_cost);
+        profile.evaluations += best.evaluations;
+    }
+    profile.minimum = best.point.position;
+    profile.cost = best.point.cost;
+    profile.better_minimum = profile.cost < given_cost - cost_tolerance;
+    return profile;
+}
+
+}  // namespace skinfit
