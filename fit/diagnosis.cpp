@@ -39,7 +39,11 @@ void judge_misfit(const FitResult& result, std::vector<std::string>& reasons) {
 }
 
 void judge_runs(const FitResult& result, std::vector<std::string>& reasons) {
+    // Runs this improbable hold four values or more, which makes a departure count twice: below half the noise it is
+    // harmless.
+    constexpr double harmless_share = 0.25;
     if (!result.runs_p_value || *result.runs_p_value >= improbable) return;
+    if (result.chi2 < harmless_share * result.degrees_of_freedom) return;
     reasons.push_back(
         fmt::format("RESIDUALS IN RUNS: they change sign too rarely for noise that is independent from wavelength to "
                     "wavelength (p = {:.1g}), so the model departs smoothly and sigmas are too small; set discrepancy, "

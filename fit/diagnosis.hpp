@@ -17,7 +17,7 @@ struct Diagnosis {
 /// Failed where the cost could still fall (`Minimum::converged`): a flat direction is no failure.
 /// Suspect where
 ///   chi2 is improbable under noise and discrepancy (p below 0.001), or no degree of freedom is left to test it;
-///   the residuals change sign improbably rarely (p below 0.001);
+///   the residuals change sign improbably rarely (p below 0.001) and are no smaller than half the noise;
 ///   another minimum costs at most 3.84 more;
 ///   a free parameter lies at a bound or is not identifiable;
 ///   the Monte Carlo error of the reading exceeds half the noise;
