@@ -89,7 +89,7 @@ Walk::End Walk::run() {
     const double origin = minimum_->position[column_];
     const double whole = std::abs(limit_ - origin);
     const double direction = limit_ > origin ? 1.0 : -1.0;
-    End end{.position = limit_, .open = true, .lower_cost = {}, .evaluations = 0};
+    End end{.position = limit_, .open = true, .better = {}, .evaluations = 0};
     if (whole <= 0.0) return end;
     last_ = *minimum_;
     double distance = std::min(whole, first_distance());
