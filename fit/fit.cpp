@@ -16,12 +16,6 @@ Minimum minimise(const Objective& objective, Solver solver, std::span<const doub
     return solver == Solver::ceres ? minimise_by_ceres(objective, start) : minimise_by_bobyqa(objective, start);
 }
 
-ForwardModel make_model(const FitProblem& problem, Engine engine, const EnsembleCache& cache) {
-    const Sample sample = problem.experiment.sample();
-    if (engine == Engine::solver) return AngularSolver(sample, {.incidence_rad = problem.walk.incidence_rad});
-    return cached_ensemble(sample, true_wavelengths_nm(problem.experiment, problem.wavelength_nm), problem.walk, cache);
-}
-
 /// Where to start: with an ensemble at the minimum over a small part of it, which is most of the way for little of the
 /// cost; else at the problem's starts.
 std::vector<double> approach(const FitProblem& problem, const ForwardModel& model, Solver solver) {
@@ -66,6 +60,12 @@ std::optional<double> chi2_p_value(double chi2, std::size_t degrees_of_freedom) 
 }
 
 }  // namespace
+
+ForwardModel make_model(const FitProblem& problem, Engine engine, const EnsembleCache& cache) {
+    const Sample sample = problem.experiment.sample();
+    if (engine == Engine::solver) return AngularSolver(sample, {.incidence_rad = problem.walk.incidence_rad});
+    return cached_ensemble(sample, true_wavelengths_nm(problem.experiment, problem.wavelength_nm), problem.walk, cache);
+}
 
 double median(std::vector<double> values) {
     if (values.empty()) return 0.0;

@@ -66,7 +66,9 @@ RecoveredSpectrum analysed(const Objective& objective, const std::vector<double>
         RecoveredParameter parameter{
             .truth = truth[i],
             .estimate = profiled.minimum.values[i],
-            .intervals = {interval(linear.parameters[i]), interval(profiled.uncertainty.parameters[i]), {}},
+            .intervals = {interval(linear.parameters[i]),
+                          interval(profiled.uncertainty.parameters[i]),
+                          {.status = Status::not_identifiable, .interval_95 = objective.problem().free[i].bounds}},
             .rank = 0};
         if (sampled) {
             parameter.intervals[2] = interval(sampled->uncertainty.parameters[i]);

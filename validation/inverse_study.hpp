@@ -36,7 +36,7 @@ struct RecoveredParameter {
         Status status;
         Bounds interval_95;
     };
-    std::array<Interval, uncertainty_methods> intervals;  ///< the last one only with a posterior
+    std::array<Interval, uncertainty_methods> intervals;  ///< not identifiable by a posterior that was not sampled
     int rank;  ///< how many of `ranked_draws` draws of the posterior lie below the truth
 };
 

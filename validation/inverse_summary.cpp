@@ -59,7 +59,7 @@ ParameterRecovery recovery_of(const std::vector<RecoveredSpectrum>& spectra, std
     const auto identifiable = static_cast<double>(std::max<std::size_t>(result.coverage[1].identifiable, 1));
     result.bias /= identifiable;
     result.root_mean_square_error = std::sqrt(result.root_mean_square_error / identifiable);
-    result.rank_p_value = equal_bins_p_value(result.ranks);
+    if (result.coverage[2].identifiable > 0) result.rank_p_value = equal_bins_p_value(result.ranks);
     return result;
 }
 

@@ -25,8 +25,8 @@ struct ParameterRecovery {
     double bias;                    ///< mean of estimate - truth, where identifiable by profile
     double root_mean_square_error;  ///< of the same
     std::array<Coverage, uncertainty_methods> coverage;
-    std::vector<std::size_t> ranks;  ///< of the truth among draws of the posterior, in equal bins; empty without one
-    double rank_p_value;             ///< of Pearson's test that they are equally full
+    std::vector<std::size_t> ranks;  ///< of the truth among draws of the posterior, in equal bins
+    double rank_p_value;             ///< of Pearson's test that they are equally full; 1 without a posterior
 };
 
 /// A recovery study in short.
