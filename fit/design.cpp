@@ -74,6 +74,27 @@ bool exchange(const MatrixXd& jacobian, const VectorXd& prior_sigma, Index colum
     return best != before;
 }
 
+/// Adds to the one row given, each time the row that helps most, and exchanges rows as long as any exchange helps; the
+/// variance reached.
+double improved_choice(const MatrixXd& jacobian, const VectorXd& prior_sigma, std::size_t count, Index column,
+                       std::vector<Index>& rows) {
+    double variance = variance_of(jacobian, prior_sigma, rows, column);
+    while (rows.size() < count) {
+        Index unused = 0;
+        while (std::ranges::find(rows, unused) != rows.end()) ++unused;
+        rows.push_back(unused);
+        variance = variance_of(jacobian, prior_sigma, rows, column);
+        exchange(jacobian, prior_sigma, column, rows.size() - 1, rows, variance);
+    }
+    for (bool improved = true; improved;) {
+        improved = false;
+        for (std::size_t place = 0; place < rows.size(); ++place) {
+            improved = exchange(jacobian, prior_sigma, column, place, rows, variance) || improved;
+        }
+    }
+    return variance;
+}
+
 }  // namespace
 
 double detection_factor() {
@@ -100,31 +121,20 @@ double variance_of(const MatrixXd& jacobian, const VectorXd& prior_sigma, const 
 }
 
 std::vector<Index> best_rows(const MatrixXd& jacobian, const VectorXd& prior_sigma, std::size_t count, Index column) {
-    std::vector<Index> rows;
-    while (rows.size() < count) {
-        Index best = -1;
-        double least = std::numeric_limits<double>::infinity();
-        for (Index row = 0; row < jacobian.rows(); ++row) {
-            if (std::ranges::find(rows, row) != rows.end()) continue;
-            std::vector<Index> trial = rows;
-            trial.push_back(row);
-            const double reached = variance_of(jacobian, prior_sigma, trial, column);
-            if (best < 0 || reached < least) {
-                least = reached;
-                best = row;
-            }
-        }
-        rows.push_back(best);
-    }
-    double variance = variance_of(jacobian, prior_sigma, rows, column);
-    for (bool improved = true; improved;) {
-        improved = false;
-        for (std::size_t place = 0; place < rows.size(); ++place) {
-            improved = exchange(jacobian, prior_sigma, column, place, rows, variance) || improved;
+    constexpr Index most_starts = 32;
+    const Index starts_count = std::min(most_starts, jacobian.rows());
+    std::vector<Index> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (Index start = 0; start < starts_count; ++start) {
+        std::vector<Index> rows = {start * jacobian.rows() / starts_count};
+        const double variance = improved_choice(jacobian, prior_sigma, count, column, rows);
+        if (best.empty() || variance < least) {
+            least = variance;
+            best = rows;
         }
     }
-    std::ranges::sort(rows);
-    return rows;
+    std::ranges::sort(best);
+    return best;
 }
 
 Design design(const Configuration& configuration, const DesignRequest& request) {

@@ -48,8 +48,8 @@ struct Design {
 [[nodiscard]] double variance_of(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& prior_sigma,
                                  const std::vector<Eigen::Index>& rows, Eigen::Index column);
 
-/// The `count` rows that make `variance_of` small (c-optimality): one after the other the row that helps most, then
-/// exchanges of one for another as long as any helps [FEDOROV72].
+/// The `count` rows that make `variance_of` small (c-optimality): from each of up to 32 first rows, one after the
+/// other the row that helps most, then exchanges of one for another as long as any helps [FEDOROV72].
 [[nodiscard]] std::vector<Eigen::Index> best_rows(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& prior_sigma,
                                                   std::size_t count, Eigen::Index column);
 

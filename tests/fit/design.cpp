@@ -98,7 +98,9 @@ TEST(Design, AllWavelengthsAreTheirOwnBest) {
 TEST(Design, RefusesWhatHasNoEffectAndTooMany) {
     Configuration configuration = planned();
     configuration.wavelengths = "600:700:20";
-    EXPECT_THROW((void)design(configuration, {.parameter = Parameter::dermis_carotene_g_per_l, .cache = no_cache()}),
+    Configuration separated = configuration;  // from the dermis and its blood
+    separated.layers = 2;
+    EXPECT_THROW((void)design(separated, {.parameter = Parameter::reticular_blood_fraction, .cache = no_cache()}),
                  InputError);
     EXPECT_THROW(
         (void)design(configuration, {.parameter = Parameter::melanosome_fraction, .best = 7, .cache = no_cache()}),
