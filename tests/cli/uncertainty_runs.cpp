@@ -18,9 +18,9 @@ protected:
     }
 
     [[nodiscard]] Outcome fit(std::vector<std::string> more) const {
-        std::vector<std::string> arguments = {"fit",   "skin.csv",
-                                              "--set", "rays=1000",
-                                              "--fix", "reticular_blood_fraction,oxygen_saturation,bilirubin_g_per_l"};
+        std::vector<std::string> arguments = {
+            "fit",   "skin.csv",  "--column", "reflectance",
+            "--set", "rays=1000", "--fix",    "reticular_blood_fraction,oxygen_saturation,bilirubin_g_per_l"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return run(arguments);
     }
