@@ -21,7 +21,7 @@ struct GonioCommand {
     std::string wavelengths;
     std::string rays;
     std::string seed;
-    std::string illuminant = std::string(name_of(Illuminant::equal_energy));
+    std::string illuminant = std::string(name_of(BandIlluminant::equal_energy));
     std::string response;
     std::string part = std::string(name_of(Light::reflected));
     double polar_step_deg = 5.0;
@@ -37,7 +37,7 @@ Enum choice(const std::string& name, std::initializer_list<Enum> values) {
 /// Green light unless a band is asked for, then the visible; enough rays for a per cent in most rings.
 Configuration gonio_defaults(const GonioCommand& command) {
     Configuration configuration = default_configuration();
-    const bool band = !command.response.empty() || command.illuminant != name_of(Illuminant::equal_energy);
+    const bool band = !command.response.empty() || command.illuminant != name_of(BandIlluminant::equal_energy);
     configuration.wavelengths = band ? "400:700:20" : "550";
     configuration.rays = 1'000'000;
     return configuration;
@@ -117,7 +117,8 @@ int run(const GonioCommand& command) {
     GoniophotometerRun run;
     run.configuration = gonio_configuration(command);
     run.wavelengths_nm = parse_wavelengths(run.configuration.wavelengths, "wavelengths");
-    run.illuminant = choice(command.illuminant, {Illuminant::equal_energy, Illuminant::d65, Illuminant::d65_v});
+    run.illuminant =
+        choice(command.illuminant, {BandIlluminant::equal_energy, BandIlluminant::d65, BandIlluminant::d65_v});
     run.response = command.response;
     run.light = choice(command.part, {Light::reflected, Light::surface, Light::subsurface});
     run.spectrum.bins = bins_of(command);

@@ -11,6 +11,7 @@ enum ExitCode : int { trustworthy_result = 0, result_with_warning = 1, bad_input
 void add_fit_command(CLI::App& app, int& exit_code);
 void add_simulate_command(CLI::App& app, int& exit_code);
 void add_sensitivity_command(CLI::App& app, int& exit_code);
+void add_design_command(CLI::App& app, int& exit_code);
 void add_gonio_command(CLI::App& app, int& exit_code);
 void add_validate_command(CLI::App& app, int& exit_code);
 void add_config_command(CLI::App& app, int& exit_code);

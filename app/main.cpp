@@ -31,6 +31,7 @@ int run(int argc, char** argv) {
     skinfit::add_fit_command(app, exit_code);
     skinfit::add_simulate_command(app, exit_code);
     skinfit::add_sensitivity_command(app, exit_code);
+    skinfit::add_design_command(app, exit_code);
     skinfit::add_gonio_command(app, exit_code);
     skinfit::add_validate_command(app, exit_code);
     skinfit::add_config_command(app, exit_code);

@@ -93,14 +93,40 @@ VectorXd in_box(const VectorXd& position) {
     return position.cwiseMax(0.0).cwiseMin(1.0);
 }
 
-BoxPoint point_at(const BoxMisfit& misfit, VectorXd position) {
-    BoxPoint point{.position = std::move(position), .misfit = {}, .cost = 0.0};
-    point.misfit = misfit(point.position);
-    point.cost = point.misfit.residual.squaredNorm();
-    return point;
+/// Of half the cost at `point`; without the bends where they would make a hill of it.
+MatrixXd curvature_at(const BoxPoint& point) {
+    MatrixXd curvature = point.misfit.jacobian.transpose() * point.misfit.jacobian;
+    curvature.diagonal().array() += least_information;
+    const MatrixXd bent = curvature + point.bend;
+    return bent.llt().info() == Eigen::Success ? bent : curvature;
+}
+
+VectorXd slope_at(const BoxPoint& point) {
+    return point.misfit.jacobian.transpose() * point.misfit.residual;
+}
+
+/// What is known of the bends once the misfit is known at both ends of a step [DENNIS81, Sec. 3].
+MatrixXd learnt_bend(const BoxPoint& from, const BoxPoint& to) {
+    const VectorXd step = to.position - from.position;
+    const VectorXd change = slope_at(to) - slope_at(from);
+    const VectorXd bent = (to.misfit.jacobian - from.misfit.jacobian).transpose() * to.misfit.residual;
+    const double rise = change.dot(step);
+    if (!(rise > 0.0)) return from.bend;
+    const double known = step.dot(from.bend * step);
+    const double size = known != 0.0 ? std::min(1.0, std::abs(step.dot(bent) / known)) : 1.0;
+    const VectorXd missing = bent - size * (from.bend * step);
+    return size * from.bend + (missing * change.transpose() + change * missing.transpose()) / rise -
+           missing.dot(step) / (rise * rise) * change * change.transpose();
 }
 
 }  // namespace
+
+BoxPoint point_at(const BoxMisfit& misfit, const VectorXd& position) {
+    const Index size = position.size();
+    BoxPoint point{.position = position, .misfit = misfit(position), .cost = 0.0, .bend = MatrixXd::Zero(size, size)};
+    point.cost = point.misfit.residual.squaredNorm();
+    return point;
+}
 
 BoxMisfit in_unit_box(const Objective& objective) {
     return [&objective](const VectorXd& position) {
@@ -134,20 +160,22 @@ std::vector<double> values_at(const FitProblem& problem, const VectorXd& positio
     return values;
 }
 
-Descent descend(const BoxMisfit& misfit, const VectorXd& start, std::optional<Index> held, double tolerance) {
+Descent descend(const BoxMisfit& misfit, const VectorXd& start, const MatrixXd& bend, std::optional<Index> held,
+                double tolerance) {
     constexpr int most_evaluations = 200;
     Descent descent{.point = point_at(misfit, in_box(start)), .evaluations = 1, .converged = false};
+    descent.point.bend = bend;
     double damping = 0.0;
     while (descent.evaluations < most_evaluations) {
-        const BoxPoint& point = descent.point;
-        const MatrixXd information = point.misfit.jacobian.transpose() * point.misfit.jacobian;
-        const VectorXd gradient = point.misfit.jacobian.transpose() * point.misfit.residual;
-        MatrixXd damped = information;
-        damped.diagonal().array() += damping * information.diagonal().array() + least_information;
+        BoxPoint& point = descent.point;
+        const MatrixXd curvature = curvature_at(point);
+        const VectorXd slope = slope_at(point);
+        MatrixXd damped = curvature;
+        damped.diagonal() *= 1.0 + damping;
         Limits limits = room_around(point.position);
         if (held) limits.lowest[*held] = limits.highest[*held] = 0.0;
-        const VectorXd step = constrained_step(damped, gradient, limits);
-        const double promised = -(2.0 * gradient.dot(step) + step.dot(information * step));
+        const VectorXd step = constrained_step(damped, slope, limits);
+        const double promised = -(2.0 * slope.dot(step) + step.dot(curvature * step));
         // A damped step promises little of what a full one would.
         if (promised < tolerance * (damping > 0.0 ? 1e-3 : 1.0)) {
             descent.converged = true;
@@ -155,42 +183,38 @@ Descent descend(const BoxMisfit& misfit, const VectorXd& start, std::optional<In
         }
         BoxPoint trial = point_at(misfit, in_box(point.position + step));
         ++descent.evaluations;
+        trial.bend = learnt_bend(point, trial);
         const double gained = point.cost - trial.cost;
-        if (gained > 0.1 * promised) damping = damping > 1e-3 ? damping / 10.0 : 0.0;
-        if (!(gained > 0.0)) {
+        if (gained > 0.0) {
+            damping = gained > 0.5 * promised ? (damping > 1e-3 ? damping / 10.0 : 0.0) : damping;
+            point = std::move(trial);
+        } else {
             damping = std::max(10.0 * damping, 1e-3);
-            continue;
+            if (std::isfinite(trial.cost)) point.bend = trial.bend;
         }
-        descent.point = std::move(trial);
     }
     return descent;
 }
 
 VectorXd step_along(const BoxPoint& point, Index column, double change) {
-    const MatrixXd& jacobian = point.misfit.jacobian;
-    MatrixXd curvature = jacobian.transpose() * jacobian;
-    curvature.diagonal().array() += least_information;
     Limits limits = room_around(point.position);
     limits.lowest[column] = limits.highest[column] = change;
-    return constrained_step(curvature, jacobian.transpose() * point.misfit.residual, limits);
+    return constrained_step(curvature_at(point), slope_at(point), limits);
 }
 
 double sigma_along(const BoxPoint& point, Index column) {
-    const MatrixXd& jacobian = point.misfit.jacobian;
-    const VectorXd slope = jacobian.transpose() * point.misfit.residual;
+    const MatrixXd curvature = curvature_at(point);
+    const VectorXd slope = slope_at(point);
     std::vector<Index> others;
     for (Index i = 0; i < slope.size(); ++i) {
         if (i != column && !is_pressed(point.position[i], 0.0, 1.0, slope[i])) others.push_back(i);
     }
-    VectorXd left_over = jacobian.col(column);
+    double information = curvature(column, column);
     if (!others.empty()) {
-        const MatrixXd others_jacobian = jacobian(Eigen::all, others);
-        MatrixXd curvature = others_jacobian.transpose() * others_jacobian;
-        curvature.diagonal().array() += least_information;
-        left_over -= others_jacobian * curvature.ldlt().solve(others_jacobian.transpose() * left_over);
+        const VectorXd shared = curvature(others, column);
+        information -= shared.dot(MatrixXd(curvature(others, others)).ldlt().solve(shared));
     }
-    const double information = left_over.squaredNorm();
-    return information > 0.0 ? 1.0 / std::sqrt(information) : std::numeric_limits<double>::infinity();
+    return 1.0 / std::sqrt(std::max(information, least_information));
 }
 
 }  // namespace skinfit

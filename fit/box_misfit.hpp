@@ -24,6 +24,9 @@ struct BoxPoint {
     Eigen::VectorXd position;
     Misfit misfit;
     double cost;  ///< squared norm of the residual
+    /// What the bends of the model add to the curvature of half the cost: the sum of residuals times their second
+    /// derivatives, as learnt on the way here; zeros where nothing has been learnt.
+    Eigen::MatrixXd bend;
 };
 
 /// Where a descent ended.
@@ -33,16 +36,20 @@ struct Descent {
     bool converged;
 };
 
-/// Minimises `misfit` over the unit box from `start`, one position held if asked for, by Levenberg's and Marquardt's
-/// method on the box-constrained quadratic model. Converged where that model promises a decrease below `tolerance`.
-[[nodiscard]] Descent descend(const BoxMisfit& misfit, const Eigen::VectorXd& start, std::optional<Eigen::Index> held,
-                              double tolerance);
+/// The misfit at `position`, bends unknown.
+[[nodiscard]] BoxPoint point_at(const BoxMisfit& misfit, const Eigen::VectorXd& position);
 
-/// The step from `point` that minimises the misfit linearised there, within the box, where `column` steps by `change`.
+/// Minimises `misfit` over the unit box from `start`, one position held if asked for: damped steps to the minimum of
+/// the quadratic model in the box, the exact first derivatives completed by what changes of the Jacobian tell of the
+/// second ones [DENNIS81], beginning with `bend`. Converged where the model promises a decrease below `tolerance`.
+[[nodiscard]] Descent descend(const BoxMisfit& misfit, const Eigen::VectorXd& start, const Eigen::MatrixXd& bend,
+                              std::optional<Eigen::Index> held, double tolerance);
+
+/// The step from `point` that minimises its quadratic model within the box, where `column` steps by `change`.
 [[nodiscard]] Eigen::VectorXd step_along(const BoxPoint& point, Eigen::Index column, double change);
 
-/// The standard deviation of position `column` in the misfit linearised at `point`, all others free but those pressed
-/// against their bounds; infinite where the misfit does not depend on it.
+/// The standard deviation of position `column` in the quadratic model at `point`, all others free but those pressed
+/// against their bounds; a thousand where the misfit does not depend on it.
 [[nodiscard]] double sigma_along(const BoxPoint& point, Eigen::Index column);
 
 }  // namespace skinfit

@@ -22,13 +22,6 @@
 namespace skinfit {
 namespace {
 
-ForwardModel make_model(const FitProblem& problem, Engine engine, const EnsembleCache& cache) {
-    if (engine == Engine::solver) return angular_solver(problem.experiment);
-    if (engine == Engine::emulator) return cached_emulator(emulator_domain(problem), cache);
-    return cached_ensemble(problem.experiment.sample(), true_wavelengths_nm(problem.experiment, problem.wavelength_nm),
-                           problem.walk, cache);
-}
-
 /// An approximation that costs a small part of `model`: a few of the recorded rays, or a coarser grid of angles; the
 /// emulator is cheap itself.
 ForwardModel cheap_model(const FitProblem& problem, const ForwardModel& model) {
@@ -123,6 +116,13 @@ std::optional<double> chi2_p_value(double chi2, double degrees_of_freedom) {
 }
 
 }  // namespace
+
+ForwardModel make_model(const FitProblem& problem, Engine engine, const EnsembleCache& cache) {
+    if (engine == Engine::solver) return angular_solver(problem.experiment);
+    if (engine == Engine::emulator) return cached_emulator(emulator_domain(problem), cache);
+    return cached_ensemble(problem.experiment.sample(), true_wavelengths_nm(problem.experiment, problem.wavelength_nm),
+                           problem.walk, cache);
+}
 
 double median(std::vector<double> values) {
     if (values.empty()) return 0.0;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "fit/configuration.hpp"
+#include "fit/forward_model.hpp"
+#include "fit/problem.hpp"
 #include "fit/result.hpp"
 #include "measurements/spectrum.hpp"
 #include "model/ensemble_cache.hpp"
@@ -17,6 +19,9 @@ struct FitOptions {
 /// a fit that ends badly is a result with a verdict.
 [[nodiscard]] FitResult fit_spectrum(const Configuration& configuration, const Spectrum& spectrum,
                                      const FitOptions& options);
+
+/// What computes the light of `problem`: walks, recorded now or kept by `cache`, or the angular solver.
+[[nodiscard]] ForwardModel make_model(const FitProblem& problem, Engine engine, const EnsembleCache& cache);
 
 /// The median of `values`; 0 of none.
 [[nodiscard]] double median(std::vector<double> values);

@@ -23,13 +23,14 @@ Eigen::RowVectorXd by_parameters(const PerLayer<double>& by_optical_depth, const
     return by;
 }
 
-std::vector<Light> light_of_model(const PathEnsemble& ensemble, const Experiment& experiment, Side side,
-                                  const std::vector<double>& wavelengths_nm, std::span<const Parameter> parameters) {
+std::vector<EscapedLight> light_of_model(const PathEnsemble& ensemble, const Experiment& experiment, Side side,
+                                         const std::vector<double>& wavelengths_nm,
+                                         std::span<const Parameter> parameters) {
     const Skin& skin = experiment.values.skin;
     const std::vector<Extinction> pigments =
         extinctions(true_wavelengths_nm(experiment, wavelengths_nm), experiment.edition);
     const std::vector<EnsembleResponse> responses = ensemble.respond(optical_depths(skin, pigments));
-    std::vector<Light> lights;
+    std::vector<EscapedLight> lights;
     for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
         const Escape& escape = responses[i][side];
         lights.push_back({.surface = ensemble.surface_share(),
@@ -41,13 +42,14 @@ std::vector<Light> light_of_model(const PathEnsemble& ensemble, const Experiment
     return lights;
 }
 
-std::vector<Light> light_of_model(const Emulator& emulator, const Experiment& experiment, Side /*side*/,
-                                  const std::vector<double>& wavelengths_nm, std::span<const Parameter> parameters) {
+std::vector<EscapedLight> light_of_model(const Emulator& emulator, const Experiment& experiment, Side /*side*/,
+                                         const std::vector<double>& wavelengths_nm,
+                                         std::span<const Parameter> parameters) {
     const Skin& skin = experiment.values.skin;
     const std::vector<Extinction> pigments =
         extinctions(true_wavelengths_nm(experiment, wavelengths_nm), experiment.edition);
     const std::vector<EmulatedShare> shares = emulator.respond(optical_depths(skin, pigments));
-    std::vector<Light> lights;
+    std::vector<EscapedLight> lights;
     for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
         lights.push_back({.surface = emulator.surface_share(),
                           .share = shares[i].share,
@@ -62,17 +64,17 @@ const AngularShare& share_of(const AngularResponse& response, Side side) {
     return side == Side::top ? response.viewed : response.transmitted;
 }
 
-Light solved_light(const AngularSolver& solver, double wavelength_nm, Side side,
-                   std::span<const Parameter> parameters) {
+EscapedLight solved_light(const AngularSolver& solver, double wavelength_nm, Side side,
+                          std::span<const Parameter> parameters) {
     constexpr double half_step_nm = 0.05;
     const AngularResponse response = solver.respond(wavelength_nm);
     const AngularShare& share = share_of(response, side);
     const auto columns = static_cast<Index>(parameters.size());
-    Light light{.surface = response.surface.share,
-                .share = share.share,
-                .standard_error = 0.0,
-                .surface_by = Eigen::RowVectorXd(columns),
-                .share_by = Eigen::RowVectorXd(columns)};
+    EscapedLight light{.surface = response.surface.share,
+                       .share = share.share,
+                       .standard_error = 0.0,
+                       .surface_by = Eigen::RowVectorXd(columns),
+                       .share_by = Eigen::RowVectorXd(columns)};
     for (Index column = 0; column < columns; ++column) {
         const Parameter parameter = parameters[static_cast<std::size_t>(column)];
         light.surface_by[column] = response.surface.by_parameter[static_cast<std::size_t>(parameter)];
@@ -89,11 +91,12 @@ Light solved_light(const AngularSolver& solver, double wavelength_nm, Side side,
     return light;
 }
 
-std::vector<Light> light_of_model(const AngularSolver& solver, const Experiment& experiment, Side side,
-                                  const std::vector<double>& wavelengths_nm, std::span<const Parameter> parameters) {
+std::vector<EscapedLight> light_of_model(const AngularSolver& solver, const Experiment& experiment, Side side,
+                                         const std::vector<double>& wavelengths_nm,
+                                         std::span<const Parameter> parameters) {
     const AngularSolver of_this_skin = solver.with(experiment.values.skin);
     const std::vector<double> true_nm = true_wavelengths_nm(experiment, wavelengths_nm);
-    std::vector<Light> lights(true_nm.size());
+    std::vector<EscapedLight> lights(true_nm.size());
     tbb::parallel_for(std::size_t{0}, true_nm.size(),
                       [&](std::size_t i) { lights[i] = solved_light(of_this_skin, true_nm[i], side, parameters); });
     return lights;
@@ -101,8 +104,8 @@ std::vector<Light> light_of_model(const AngularSolver& solver, const Experiment&
 
 }  // namespace
 
-std::vector<Light> light_of(const ForwardModel& model, const Experiment& experiment, Side side,
-                            const std::vector<double>& wavelengths_nm, std::span<const Parameter> parameters) {
+std::vector<EscapedLight> light_of(const ForwardModel& model, const Experiment& experiment, Side side,
+                                   const std::vector<double>& wavelengths_nm, std::span<const Parameter> parameters) {
     return std::visit(
         [&](const auto& engine) { return light_of_model(engine, experiment, side, wavelengths_nm, parameters); },
         model);

@@ -16,7 +16,7 @@ namespace skinfit {
 using ForwardModel = std::variant<PathEnsemble, AngularSolver, Emulator>;
 
 /// The light of one wavelength, as shares of the incident light, and its derivatives by some parameters.
-struct Light {
+struct EscapedLight {
     double surface;         ///< reflected by the surface
     double share;           ///< left through the side that is measured, without `surface`; a factor in a viewing cone
     double standard_error;  ///< of `share`: Monte Carlo, or the error for which the emulator is certified
@@ -28,8 +28,8 @@ struct Light {
 /// but for the wavelength shift, by which the angular solver is differenced over 0.1 nm. A `PathEnsemble` must have
 /// been traced for the experiment; it knows no derivative by parameters that steer rays. The same holds for an
 /// `Emulator`, which must have been built for the side that is measured too; outside its domain InputError is thrown.
-[[nodiscard]] std::vector<Light> light_of(const ForwardModel& model, const Experiment& experiment, Side side,
-                                          const std::vector<double>& wavelengths_nm,
-                                          std::span<const Parameter> parameters);
+[[nodiscard]] std::vector<EscapedLight> light_of(const ForwardModel& model, const Experiment& experiment, Side side,
+                                                 const std::vector<double>& wavelengths_nm,
+                                                 std::span<const Parameter> parameters);
 
 }  // namespace skinfit

@@ -116,7 +116,7 @@ Json with_configuration(Json json, const GoniophotometerRun& run) {
 
 }  // namespace
 
-std::string_view name_of(Illuminant illuminant) {
+std::string_view name_of(BandIlluminant illuminant) {
     static constexpr std::array<std::string_view, 3> names = {"equal_energy", "d65", "d65_v"};
     return names[static_cast<std::size_t>(illuminant)];
 }

@@ -16,14 +16,14 @@ namespace skinfit {
 struct GoniophotometerRun {
     Configuration configuration;
     std::vector<double> wavelengths_nm;
-    Illuminant illuminant = Illuminant::equal_energy;
+    BandIlluminant illuminant = BandIlluminant::equal_energy;
     std::string response;  ///< the file's name; empty without one
     Light light = Light::reflected;
     AngularSpectrum spectrum;  ///< without counts where only both ways were compared
 };
 
 /// The words of options and output: equal_energy, d65, d65_v; total, surface, subsurface.
-[[nodiscard]] std::string_view name_of(Illuminant illuminant);
+[[nodiscard]] std::string_view name_of(BandIlluminant illuminant);
 [[nodiscard]] std::string_view name_of(Light light);
 
 /// Columns kind, polar_lo_deg, polar_hi_deg, azimuth_deg, brdf_per_sr, brdf_se, with the settings as comments on top.

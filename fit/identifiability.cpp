@@ -15,12 +15,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// What is known of a parameter without the spectrum.
+}  // namespace
+
 double prior_sigma(const FreeParameter& free) {
     return (free.bounds.upper - free.bounds.lower) / std::sqrt(12.0);
 }
-
-}  // namespace
 
 Identifiability identifiability(const MatrixXd& jacobian, const std::vector<FreeParameter>& free) {
     const auto size = static_cast<Index>(free.size());

@@ -27,6 +27,9 @@ struct Identifiability {
     std::vector<double> shrinkage;
 };
 
+/// The standard deviation of a parameter without a spectrum.
+[[nodiscard]] double prior_sigma(const FreeParameter& free);
+
 /// From the derivatives of the data's residuals, in sigmas, by the free parameters.
 [[nodiscard]] Identifiability identifiability(const Eigen::MatrixXd& jacobian, const std::vector<FreeParameter>& free);
 

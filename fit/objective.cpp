@@ -26,14 +26,14 @@ Experiment Objective::with(std::span<const double> values) const {
 Objective::Modelled Objective::model(std::span<const double> values) const {
     const Experiment experiment = with(values);
     const Quantity quantity = problem_->quantity;
-    const std::vector<Light> lights =
+    const std::vector<EscapedLight> lights =
         light_of(model_, experiment, measured_side(quantity), problem_->wavelength_nm, parameters_);
     const auto rows = static_cast<Row>(wavelength_count());
     Modelled modelled{.reading = Eigen::VectorXd(rows),
                       .jacobian = Eigen::MatrixXd(rows, static_cast<Row>(free_count())),
                       .standard_error = Eigen::VectorXd(rows)};
     for (Row row = 0; row < rows; ++row) {
-        const Light& light = lights[static_cast<std::size_t>(row)];
+        const EscapedLight& light = lights[static_cast<std::size_t>(row)];
         modelled.reading[row] = reading(light, experiment, quantity);
         modelled.standard_error[row] = experiment.values.instrument.scale * light.standard_error;
         modelled.jacobian.row(row) = reading_derivatives(light, experiment, quantity, parameters_);

@@ -9,8 +9,10 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// Of the cost: a thousandth of the rise at the end of an interval is less than a thousandth of a sigma.
-constexpr double cost_tolerance = 1e-3;
+// What the others of a point of a profile may still gain: a part in 400 of the rise at the end of an interval, which
+// moves that end by less than 0.002 sigma.
+constexpr double cost_tolerance = 0.01;
+constexpr double lower_cost = 1e-3;               // a gain that counts as another minimum
 constexpr double normal_95 = 1.9599639845400545;  // 97.5 % quantile of the normal distribution
 
 double normal_share_below(double x) {
@@ -26,7 +28,7 @@ public:
     struct End {
         double position = 0.0;
         bool open = false;
-        std::optional<VectorXd> lower_cost;  ///< met on the way
+        std::optional<VectorXd> better;  ///< met on the way
         int evaluations = 0;
     };
     [[nodiscard]] End run();
@@ -87,7 +89,7 @@ Walk::End Walk::run() {
     const double origin = minimum_->position[column_];
     const double whole = std::abs(limit_ - origin);
     const double direction = limit_ > origin ? 1.0 : -1.0;
-    End end{.position = limit_, .open = true, .lower_cost = {}, .evaluations = 0};
+    End end{.position = limit_, .open = true, .better = {}, .evaluations = 0};
     if (whole <= 0.0) return end;
     last_ = *minimum_;
     double distance = std::min(whole, first_distance());
@@ -95,12 +97,12 @@ Walk::End Walk::run() {
         const double target = distance >= whole ? limit_ : origin + direction * distance;
         VectorXd start = last_.position + step_along(last_, column_, target - last_.position[column_]);
         start[column_] = target;
-        Descent descent = descend(*misfit_, start, column_, cost_tolerance);
+        Descent descent = descend(*misfit_, start, last_.bend, column_, cost_tolerance);
         end.evaluations += descent.evaluations;
         last_ = std::move(descent.point);
         const double rise = last_.cost - minimum_->cost;
-        if (rise < -cost_tolerance) {
-            end.lower_cost = last_.position;
+        if (rise < -lower_cost) {
+            end.better = last_.position;
             return end;
         }
         const double root = std::sqrt(std::max(rise, 1e-12));
@@ -117,7 +119,8 @@ Walk::End Walk::run() {
 
 /// The minimum over the box near `start`, to well below what matters.
 Descent settle(const BoxMisfit& misfit, const VectorXd& start) {
-    return descend(misfit, start, std::nullopt, 1e-6);
+    const Eigen::MatrixXd unknown = Eigen::MatrixXd::Zero(start.size(), start.size());
+    return descend(misfit, start, unknown, std::nullopt, 1e-6);
 }
 
 }  // namespace
@@ -147,23 +150,23 @@ Profile profile_intervals(const BoxMisfit& misfit, const VectorXd& minimum) {
     profile.evaluations = best.evaluations + 1;
     for (int restart = 0; restart < most_restarts; ++restart) {
         profile.intervals.clear();
-        std::optional<VectorXd> lower_cost;
+        std::optional<VectorXd> better;
         for (Index column = 0; column < minimum.size(); ++column) {
             const Walk::End below = Walk(misfit, best.point, column, 0.0).run();
             const Walk::End above = Walk(misfit, best.point, column, 1.0).run();
             profile.evaluations += below.evaluations + above.evaluations;
-            if (below.lower_cost) lower_cost = below.lower_cost;
-            if (above.lower_cost) lower_cost = above.lower_cost;
+            if (below.better) better = below.better;
+            if (above.better) better = above.better;
             profile.intervals.push_back(
                 {.lower = below.position, .upper = above.position, .open_below = below.open, .open_above = above.open});
         }
-        if (!lower_cost) break;
-        best = settle(misfit, *lower_cost);
+        if (!better) break;
+        best = settle(misfit, *better);
         profile.evaluations += best.evaluations;
     }
     profile.minimum = best.point.position;
     profile.cost = best.point.cost;
-    profile.better_minimum = profile.cost < given_cost - cost_tolerance;
+    profile.better_minimum = profile.cost < given_cost - lower_cost;
     return profile;
 }
 

@@ -14,13 +14,13 @@ double collected_surface(const Experiment& experiment, Quantity quantity) {
     return quantity == Quantity::reflectance ? surface_weight(experiment) : 0.0;
 }
 
-double reading(const Light& light, const Experiment& experiment, Quantity quantity) {
+double reading(const EscapedLight& light, const Experiment& experiment, Quantity quantity) {
     const Instrument& instrument = experiment.values.instrument;
     const double surface = collected_surface(experiment, quantity);
     return instrument.scale * (light.share + surface * light.surface) + instrument.offset;
 }
 
-Eigen::RowVectorXd reading_derivatives(const Light& light, const Experiment& experiment, Quantity quantity,
+Eigen::RowVectorXd reading_derivatives(const EscapedLight& light, const Experiment& experiment, Quantity quantity,
                                        std::span<const Parameter> parameters) {
     assert(light.share_by.size() == static_cast<Column>(parameters.size()));
     const double surface = collected_surface(experiment, quantity);

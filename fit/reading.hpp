@@ -18,11 +18,11 @@ namespace skinfit {
 [[nodiscard]] double collected_surface(const Experiment& experiment, Quantity quantity);
 
 /// The reading, a fraction: scale * light + offset.
-[[nodiscard]] double reading(const Light& light, const Experiment& experiment, Quantity quantity);
+[[nodiscard]] double reading(const EscapedLight& light, const Experiment& experiment, Quantity quantity);
 
 /// The derivatives of `reading` by `parameters`, each per unit of the parameter; `light` must have been computed with
 /// derivatives by the same parameters.
-[[nodiscard]] Eigen::RowVectorXd reading_derivatives(const Light& light, const Experiment& experiment,
+[[nodiscard]] Eigen::RowVectorXd reading_derivatives(const EscapedLight& light, const Experiment& experiment,
                                                      Quantity quantity, std::span<const Parameter> parameters);
 
 }  // namespace skinfit

@@ -30,7 +30,7 @@ Sensitivity sensitivity(const Configuration& configuration) {
     const Experiment experiment = make_experiment(result.configuration, {});
     (void)extinctions(true_wavelengths_nm(experiment, result.wavelength_nm), experiment.edition);  // refuses early
     const std::vector<Parameter> parameters = all_parameters();
-    const std::vector<Light> lights =
+    const std::vector<EscapedLight> lights =
         light_of(angular_solver(experiment), experiment, measured_side(quantity), result.wavelength_nm, parameters);
     Eigen::MatrixXd derivative(static_cast<Index>(lights.size()), static_cast<Index>(parameters.size()));
     for (std::size_t i = 0; i < lights.size(); ++i) {

@@ -159,14 +159,15 @@ TEST(Goniophotometer, FlatSkinIsAMirror) {
 }
 
 TEST(Band, WeightsAreTheTables) {
-    EXPECT_EQ(band_weights({400, 700}, Illuminant::equal_energy), (std::vector<double>{1, 1}));
-    EXPECT_EQ(band_weights({560}, Illuminant::d65), std::vector<double>{100});
+    EXPECT_EQ(band_weights({400, 700}, BandIlluminant::equal_energy), (std::vector<double>{1, 1}));
+    EXPECT_EQ(band_weights({560}, BandIlluminant::d65), std::vector<double>{100});
     const std::vector<double>& v = embedded_table("cie_observers").column("y2");
     const std::vector<double>& nm = embedded_table("cie_observers").columns[0];
     for (std::size_t i = 0; nm[i] <= 780; ++i) {  // where D65 ends
-        EXPECT_EQ(band_weights({nm[i]}, Illuminant::d65_v)[0], band_weights({nm[i]}, Illuminant::d65)[0] * v[i]);
+        EXPECT_EQ(band_weights({nm[i]}, BandIlluminant::d65_v)[0],
+                  band_weights({nm[i]}, BandIlluminant::d65)[0] * v[i]);
     }
-    EXPECT_THROW((void)band_weights({2000}, Illuminant::d65), InputError);
+    EXPECT_THROW((void)band_weights({2000}, BandIlluminant::d65), InputError);
 }
 
 TEST(Reciprocity, ComparesEveryTwoBinsBothWays) {

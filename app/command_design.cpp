@@ -1,0 +1,73 @@
+#include "app/commands.hpp"
+#include "app/shared_options.hpp"
+#include "core/input_error.hpp"
+#include "core/text.hpp"
+#include "fit/configuration_json.hpp"
+#include "fit/design.hpp"
+
+namespace skinfit {
+namespace {
+
+struct DesignCommand {
+    SharedOptions shared;
+    std::string parameter;
+    std::string wavelengths;
+    std::vector<std::string> free;
+    std::vector<std::string> fix;
+    std::size_t best = 0;
+};
+
+Parameter named_parameter(const std::string& name) {
+    if (const std::optional<Parameter> found = find_parameter(name)) return *found;
+    std::vector<std::string_view> names;
+    for (const ParameterInfo& row : parameter_table()) names.push_back(row.name);
+    throw InputError({.where = "PARAMETER",
+                      .problem = "\"" + name + "\" is no parameter",
+                      .why = "`skinfit config show` lists them",
+                      .remedy = "did you mean " + std::string(nearest_name(name, names)) + "?"});
+}
+
+std::string output(const Design& result, const std::string& format) {
+    if (format == "json") return json_text(design_json(result));
+    return format == "csv" ? design_csv(result) : design_text(result);
+}
+
+int run(const DesignCommand& command) {
+    Configuration configuration = configuration_from(command.shared);
+    if (!command.wavelengths.empty()) {
+        configuration = configured_by_word(configuration, "wavelengths", command.wavelengths, "--wavelengths");
+    }
+    for (const std::string& names : command.free) configuration = with_freedom(configuration, names, true, "--free");
+    for (const std::string& names : command.fix) configuration = with_freedom(configuration, names, false, "--fix");
+    const Parameter parameter = named_parameter(command.parameter);
+    check_output(command.shared);
+    const auto limit = thread_limit(command.shared);
+    const Design result =
+        design(configuration, {.parameter = parameter, .best = command.best, .cache = cache_from(command.shared)});
+    write_output(command.shared, output(result, command.shared.format));
+    return trustworthy_result;
+}
+
+}  // namespace
+
+void add_design_command(CLI::App& app, int& exit_code) {
+    const auto command = std::make_shared<DesignCommand>();
+    CLI::App* const design =
+        app.add_subcommand("design", "plan a measurement: detection limits and the best wavelengths");
+    design->add_option("PARAMETER", command->parameter, "what is to be detected, as in bilirubin_g_per_l")->required();
+    design->add_option("--wavelengths", command->wavelengths, "nm: first:last:step as in 400:700:20, or a list");
+    design->add_option("--best", command->best, "choose so many of the wavelengths")->check(CLI::Range(1, 1000));
+    design->add_option("--free", command->free, "these parameters are unknown too")
+        ->type_name("NAME,NAME")
+        ->expected(1)
+        ->take_all();
+    design->add_option("--fix", command->fix, "these parameters are known")
+        ->type_name("NAME,NAME")
+        ->expected(1)
+        ->take_all();
+    add_shared_options(*design, command->shared, {"text", "csv", "json"});
+    design->footer("Exit code 0: done; 2: bad input; 3: internal error.");
+    design->callback([command, &exit_code] { exit_code = run(*command); });
+}
+
+}  // namespace skinfit

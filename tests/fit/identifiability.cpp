@@ -1,0 +1,49 @@
+#include "fit/identifiability.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+
+namespace skinfit::test {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Two parameters between 0 and 1.
+std::vector<FreeParameter> two_free() {
+    const Bounds unit{.lower = 0.0, .upper = 1.0};
+    return {{.parameter = Parameter::papillary_blood_fraction, .start = 0.5, .bounds = unit},
+            {.parameter = Parameter::reticular_blood_fraction, .start = 0.5, .bounds = unit}};
+}
+
+TEST(Identifiability, OfASumNamesWhatTrades) {
+    MatrixXd jacobian(2, 2);
+    jacobian << 100, 100, 50, 50;
+    const Identifiability found = identifiability(jacobian, two_free());
+    ASSERT_EQ(found.directions.size(), 2U);
+    // Along (1, 1) / sqrt(2) both rows change by sqrt(2) of their entries; a prior sigma is 1 / sqrt(12).
+    EXPECT_NEAR(found.directions[0].singular_value, std::sqrt(2.0 * (1e4 + 2500.0) / 12.0), 1e-9);
+    EXPECT_FALSE(found.directions[0].is_weak());
+    EXPECT_NEAR(found.directions[1].singular_value, 0.0, 1e-9);
+    EXPECT_TRUE(found.directions[1].is_weak());
+    const std::string words = in_words(found.directions[1], found.parameters);
+    EXPECT_NE(words.find("trades against"), std::string::npos) << words;
+    EXPECT_NE(in_words(found.directions[0], found.parameters).find("together with"), std::string::npos);
+    // Half of the prior variance of each is left: that of the difference.
+    const double sum_left = 1.0 / (1.0 + 2.0 * 12500.0 / 12.0);
+    for (const double shrinkage : found.shrinkage) EXPECT_NEAR(shrinkage, 1.0 - 0.5 * (1.0 + sum_left), 1e-9);
+}
+
+TEST(Identifiability, OfOneReadingLeavesOtherDirectionsUnknown) {
+    const Identifiability found = identifiability((MatrixXd(1, 2) << 100, 0).finished(), two_free());
+    ASSERT_EQ(found.directions.size(), 2U);
+    EXPECT_EQ(found.directions[1].singular_value, 0.0);
+    EXPECT_EQ(in_words(found.directions[1], found.parameters), "reticular_blood_fraction");
+    EXPECT_NEAR(found.shrinkage[1], 0.0, 1e-12);
+    EXPECT_NEAR(found.shrinkage[0], 1.0 - 1.0 / (1.0 + 1e4 / 12.0), 1e-12);
+}
+
+}  // namespace
+}  // namespace skinfit::test
