@@ -6,17 +6,17 @@
 namespace skinfit {
 namespace {
 
-/// About the smallest amount that shows in a spectrum with a noise of 0.003: below it effects are linear. Thicknesses
-/// and the fibril radius scale effects by factors: their knee is their lower bound, which makes the scale a logarithm.
+/// About where a pigment's effect begins to saturate: below it effects are linear. Thicknesses and the fibril radius
+/// scale effects by factors: their knee is their lower bound, which makes the scale a logarithm.
 double knee(const FreeParameter& free) {
     switch (free.parameter) {
         case Parameter::melanosome_fraction:
-            return 0.002;
+            return 0.03;
         case Parameter::papillary_blood_fraction:
         case Parameter::reticular_blood_fraction:
-            return 0.001;
+            return 0.02;
         case Parameter::bilirubin_g_per_l:
-            return 0.05;
+            return 0.5;
         case Parameter::stratum_corneum_carotene_g_per_l:
         case Parameter::epidermis_carotene_g_per_l:
         case Parameter::dermis_carotene_g_per_l:

@@ -93,7 +93,7 @@ Minimum minimise_by_nlopt(const Objective& objective, Solver solver, std::span<c
     Counter counter{&objective};
     std::string termination;
     if (solver == Solver::sbplx) {
-        termination = run(nlopt::LN_SBPLX, {.step = 1e-6, .relative_change = 1e-9, .evaluations_per_parameter = 100},
+        termination = run(nlopt::LN_SBPLX, {.step = 1e-6, .relative_change = 1e-9, .evaluations_per_parameter = 600},
                           counter, positions);
     } else if (solver == Solver::slsqp) {
         termination = run(nlopt::LD_SLSQP, {.step = 1e-9, .relative_change = 1e-12, .evaluations_per_parameter = 40},
