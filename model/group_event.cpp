@@ -85,31 +85,89 @@ HWY_INLINE Vector uniforms_of(WordVector bits) {
     return hn::Mul(hn::Add(hn::PromoteTo(doubles, centred), constant(0x1p31 + 0.5)), constant(0x1p-32));
 }
 
-/// `ForwardScattering::polar_angle` of the numbers `xi`, which stand for `bits`.
-template <class WordVector>
-HWY_INLINE Vector polar_angle(const ForwardScattering::Lookup& table, WordVector bits, Vector xi) {
-    const Integers integers;
-    const hn::Rebind<std::uint32_t, Doubles> unsigned_words;
-    const hn::RebindToUnsigned<Doubles> unsigned_integers;
-    const auto entry = hn::BitCast(
-        integers, hn::PromoteTo(unsigned_integers,
-                                hn::ShiftRight<32 - ForwardScattering::guide_bits>(hn::BitCast(unsigned_words, bits))));
-    auto segment = hn::GatherIndex(integers, table.guide, entry);
-    for (;;) {
-        const Mask beyond = hn::Lt(hn::GatherIndex(doubles, table.share + 1, segment), xi);
-        if (hn::AllFalse(doubles, beyond)) break;
-        segment = hn::Sub(segment, hn::VecFromMask(integers, hn::RebindMask(integers, beyond)));
+#if HWY_TARGET <= HWY_AVX3
+/// `ForwardScattering::polar_angle` of vectors. The tables lie in registers, where permutations look them up: gathers
+/// from memory take several times as long.
+class PolarAngles {
+public:
+    explicit PolarAngles(const ForwardScattering::Lookup& table)
+        : offset_(load(table.offset)), slope_(load(table.slope)) {
+        static_assert(ForwardScattering::table_size == 4 * hn::MaxLanes(doubles));
+        hn::LoadInterleaved4(doubles, table.share, share_[0], share_[1], share_[2], share_[3]);
+        const Integers integers;
+        middle_ = hn::TableLookupLanes(share_[0], hn::IndicesFromVec(doubles, hn::Set(integers, 4)));
     }
-    return hn::Add(hn::GatherIndex(doubles, table.offset, segment),
-                   hn::Mul(hn::GatherIndex(doubles, table.slope, segment), xi));
-}
+
+    template <class WordVector>
+    HWY_INLINE Vector operator()(WordVector /*bits*/, Vector xi) const {
+        const Integers integers;
+        // The last of every fourth knot that lies below xi, by halving; then how many of the three knots after it do.
+        const Mask upper_half = hn::Lt(middle_, xi);
+        auto fourth = hn::IfThenElseZero(hn::RebindMask(integers, upper_half), hn::Set(integers, 4));
+        for (const std::int64_t step : {2, 1}) {
+            const auto further = hn::Add(fourth, hn::Set(integers, step));
+            const Mask beyond = hn::Lt(hn::TableLookupLanes(share_[0], hn::IndicesFromVec(doubles, further)), xi);
+            fourth = hn::IfThenElse(hn::RebindMask(integers, beyond), further, fourth);
+        }
+        auto segment = hn::ShiftLeft<2>(fourth);
+        for (const int knot : {1, 2, 3}) {
+            const Mask beyond = hn::Lt(hn::TableLookupLanes(share_[knot], hn::IndicesFromVec(doubles, fourth)), xi);
+            segment = hn::Sub(segment, hn::VecFromMask(integers, hn::RebindMask(integers, beyond)));
+        }
+        return hn::Add(entry(offset_, segment, upper_half), hn::Mul(entry(slope_, segment, upper_half), xi));
+    }
+
+private:
+    using Table = std::array<__m512d, 4>;
+    static Table load(const double* table) {
+        return {_mm512_loadu_pd(table), _mm512_loadu_pd(table + 8), _mm512_loadu_pd(table + 16),
+                _mm512_loadu_pd(table + 24)};
+    }
+    static HWY_INLINE Vector entry(const Table& table, hn::Vec<Integers> index, Mask upper_half) {
+        return hn::IfThenElse(upper_half, Vector{_mm512_permutex2var_pd(table[2], index.raw, table[3])},
+                              Vector{_mm512_permutex2var_pd(table[0], index.raw, table[1])});
+    }
+
+    Vector share_[4];  // of every fourth knot, from the first, second, third and fourth on
+    Vector middle_;    // the share of knot 16
+    Table offset_;
+    Table slope_;
+};
+#else
+/// `ForwardScattering::polar_angle` of the numbers `xi`, which stand for `bits`.
+class PolarAngles {
+public:
+    explicit PolarAngles(const ForwardScattering::Lookup& table) : table_(table) {}
+
+    template <class WordVector>
+    HWY_INLINE Vector operator()(WordVector bits, Vector xi) const {
+        const Integers integers;
+        const hn::Rebind<std::uint32_t, Doubles> unsigned_words;
+        const hn::RebindToUnsigned<Doubles> unsigned_integers;
+        const auto entry =
+            hn::BitCast(integers, hn::PromoteTo(unsigned_integers, hn::ShiftRight<32 - ForwardScattering::guide_bits>(
+                                                                       hn::BitCast(unsigned_words, bits))));
+        auto segment = hn::GatherIndex(integers, table_.guide, entry);
+        for (;;) {
+            const Mask beyond = hn::Lt(hn::GatherIndex(doubles, table_.share + 1, segment), xi);
+            if (hn::AllFalse(doubles, beyond)) break;
+            segment = hn::Sub(segment, hn::VecFromMask(integers, hn::RebindMask(integers, beyond)));
+        }
+        return hn::Add(hn::GatherIndex(doubles, table_.offset, segment),
+                       hn::Mul(hn::GatherIndex(doubles, table_.slope, segment), xi));
+    }
+
+private:
+    ForwardScattering::Lookup table_;
+};
+#endif
 
 /// The cosine after one try of forward scattering with the points of rank `rank` on.
-HWY_INLINE Vector forward_try(const ForwardScattering::Lookup& table, Vector cosine, const SobolPoints& points,
+HWY_INLINE Vector forward_try(const PolarAngles& polar_angles, Vector cosine, const SobolPoints& points,
                               const FourWords& shift, std::size_t rank) {
     const auto polar = shifted_words(points.dimension(0) + rank, shift[0]);
     const auto azimuth = shifted_words(points.dimension(1) + rank, shift[1]);
-    const Vector angle = polar_angle(table, polar, uniforms_of(polar));
+    const Vector angle = polar_angles(polar, uniforms_of(polar));
     const Vector square = hn::Mul(angle, angle);
     return deflected_cosine(cosine, series(detail::alternating_coefficients<7, 0>, square),
                             hn::Mul(angle, series(detail::alternating_coefficients<7, 1>, square)),
@@ -176,20 +234,22 @@ HWY_INLINE void store(const GroupRays& rays, std::size_t i, const Crossing& cros
 }
 
 /// Tries the rays `again[0..count)` anew, from attempt 1 on, until all go forward.
-void try_again(const ForwardScattering::Lookup& table, const SobolPoints& points, const RankedNumbers& numbers,
+void try_again(const PolarAngles& polar_angles, const SobolPoints& points, const RankedNumbers& numbers,
                const GroupRays& rays, std::size_t count) {
+    const std::size_t lanes = hn::Lanes(doubles);
+    alignas(64) std::array<double, hn::MaxLanes(doubles)> tried;
     for (std::uint32_t attempt = 1; count > 0; ++attempt) {
         const FourWords shift = numbers.shift(attempt);
         std::size_t still = 0;
-        for (std::size_t rank = 0; rank < count; rank += hn::Lanes(doubles)) {
-            const auto ray = hn::LoadU(Integers(), rays.again + rank);
-            const Vector next = forward_try(table, hn::GatherIndex(doubles, rays.cosine, ray), points, shift, rank);
-            for (std::size_t lane = 0; lane < std::min(hn::Lanes(doubles), count - rank); ++lane) {
-                const std::int64_t index = rays.again[rank + lane];
-                const double cosine = hn::ExtractLane(next, lane);
-                rays.next_cosine[index] = cosine;
+        for (std::size_t rank = 0; rank < count; rank += lanes) {
+            const auto ray = hn::PromoteTo(Integers(), hn::LoadU(Words(), rays.again + rank));
+            const Vector cosine = hn::GatherIndex(doubles, rays.cosine, ray);
+            hn::Store(forward_try(polar_angles, cosine, points, shift, rank), doubles, tried.data());
+            for (std::size_t lane = 0; lane < std::min(lanes, count - rank); ++lane) {
+                const std::int32_t index = rays.again[rank + lane];
+                rays.next_cosine[index] = tried[lane];
                 rays.again[still] = index;
-                still += cosine <= 0.0 ? 1 : 0;
+                still += tried[lane] <= 0.0 ? 1 : 0;
             }
         }
         count = still;
@@ -198,20 +258,21 @@ void try_again(const ForwardScattering::Lookup& table, const SobolPoints& points
 
 void follow_forward(const Group& group, const SobolPoints& points, const RankedNumbers& numbers,
                     const GroupRays& rays) {
-    const ForwardScattering::Lookup table = group.stack->forward[static_cast<std::size_t>(group.state.layer)].lookup();
+    const PolarAngles polar_angles(group.stack->forward[static_cast<std::size_t>(group.state.layer)].lookup());
     const FourWords shift = numbers.shift(0);
     const std::size_t lanes = hn::Lanes(doubles);
     std::size_t rejected = 0;
     for (std::size_t i = 0; i < rays.count; i += lanes) {
-        const Vector next = forward_try(table, hn::LoadU(doubles, rays.cosine + i), points, shift, i);
+        const Vector next = forward_try(polar_angles, hn::LoadU(doubles, rays.cosine + i), points, shift, i);
         hn::StoreU(next, doubles, rays.next_cosine + i);
         const Mask turned = hn::And(hn::Le(next, hn::Zero(doubles)), hn::FirstN(doubles, rays.count - i));
-        if (hn::AllFalse(doubles, turned)) continue;
-        const auto index = hn::Iota(Integers(), static_cast<std::int64_t>(i));
-        hn::StoreU(hn::Compress(index, hn::RebindMask(Integers(), turned)), Integers(), rays.again + rejected);
+        std::array<std::uint8_t, 8> bits;
+        (void)hn::StoreMaskBits(doubles, turned, bits.data());
+        const auto index = hn::Iota(Words(), static_cast<std::int32_t>(i));
+        hn::StoreU(hn::CompressBits(index, bits.data()), Words(), rays.again + rejected);
         rejected += hn::CountTrue(doubles, turned);
     }
-    try_again(table, points, numbers, rays, rejected);
+    try_again(polar_angles, points, numbers, rays, rejected);
     for (std::size_t i = 0; i < rays.count; i += lanes) {
         const Vector next = hn::LoadU(doubles, rays.next_cosine + i);
         const Vector xi = uniforms_of(shifted_words(points.dimension(2) + i, shift[2]));
