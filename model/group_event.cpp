@@ -8,132 +8,24 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <limits>
 
-#include "model/constants.hpp"
 #include "model/group_event.hpp"
+#include "model/vector_scattering.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace skinfit::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Doubles = hn::ScalableTag<double>;
-using Vector = hn::Vec<Doubles>;
-using Mask = hn::Mask<Doubles>;
-using Words = hn::Rebind<std::int32_t, Doubles>;
-using Integers = hn::RebindToSigned<Doubles>;
-constexpr Doubles doubles;
-
-HWY_INLINE Vector constant(double value) {
-    return hn::Set(doubles, value);
-}
-
-template <std::size_t terms>
-HWY_INLINE Vector series(const std::array<double, terms>& coefficients, Vector x) {
-    Vector sum = constant(coefficients[terms - 1]);
-    for (std::size_t k = terms - 1; k-- > 0;) sum = hn::Add(hn::Mul(sum, x), constant(coefficients[k]));
-    return sum;
-}
-
-HWY_INLINE Vector cosine_of_turns(Vector turns) {
-    const Vector angle = hn::Mul(constant(2.0 * pi), hn::Sub(hn::Abs(hn::Sub(turns, constant(0.5))), constant(0.25)));
-    return hn::Mul(angle, series(detail::alternating_coefficients<8, 1>, hn::Mul(angle, angle)));
-}
-
-HWY_INLINE Vector sine_of_turns(Vector turns) {
-    return cosine_of_turns(
-        hn::IfThenElse(hn::Lt(turns, constant(0.25)), hn::Add(turns, constant(0.75)), hn::Sub(turns, constant(0.25))));
-}
-
-HWY_INLINE Vector decay(Vector depth) {
-    const Vector limited = hn::Min(depth, constant(detail::most_decay));
-    const Vector shifted = hn::Add(hn::Mul(limited, constant(detail::halvings_per_decay)), constant(detail::rounder));
-    const Vector halvings = hn::Sub(shifted, constant(detail::rounder));
-    const Vector rest = hn::Sub(hn::Sub(limited, hn::Mul(halvings, constant(detail::ln2_high))),
-                                hn::Mul(halvings, constant(detail::ln2_low)));
-    const Integers integers;
-    const auto integer = hn::Sub(hn::BitCast(integers, shifted), hn::BitCast(integers, constant(detail::rounder)));
-    const auto power = hn::BitCast(doubles, hn::ShiftLeft<52>(hn::Sub(hn::Set(integers, 1023), integer)));
-    return hn::Mul(series(detail::decay_coefficients<detail::decay_terms>, rest), power);
-}
-
-HWY_INLINE Vector root_or_zero(Vector x) {
-    return hn::Sqrt(hn::Max(x, hn::Zero(doubles)));
-}
-
-HWY_INLINE Vector sine_to(Vector cosine) {
-    return root_or_zero(hn::Sub(constant(1.0), hn::Mul(cosine, cosine)));
-}
-
-HWY_INLINE Vector deflected_cosine(Vector cosine, Vector deflection_cosine, Vector deflection_sine,
-                                   Vector azimuth_cosine) {
-    return hn::Add(hn::Mul(cosine, deflection_cosine),
-                   hn::Mul(hn::Mul(sine_to(cosine), deflection_sine), azimuth_cosine));
-}
-
-/// The words of consecutive points, shifted, and the uniform numbers they stand for.
-HWY_INLINE auto shifted_words(const std::uint32_t* points, std::uint32_t shift) {
-    const Words words;
-    return hn::Xor(hn::LoadU(words, reinterpret_cast<const std::int32_t*>(points)),
-                   hn::Set(words, static_cast<std::int32_t>(shift)));
-}
-
-template <class WordVector>
-HWY_INLINE Vector uniforms_of(WordVector bits) {
-    // As signed numbers the words lie 2^31 too low once their highest bit is turned over.
-    const auto centred = hn::Xor(bits, hn::Set(Words(), std::numeric_limits<std::int32_t>::min()));
-    return hn::Mul(hn::Add(hn::PromoteTo(doubles, centred), constant(0x1p31 + 0.5)), constant(0x1p-32));
-}
-
-/// `ForwardScattering::polar_angle` of the numbers `xi`, which stand for `bits`.
-template <class WordVector>
-HWY_INLINE Vector polar_angle(const ForwardScattering::Lookup& table, WordVector bits, Vector xi) {
-    const Integers integers;
-    const hn::Rebind<std::uint32_t, Doubles> unsigned_words;
-    const hn::RebindToUnsigned<Doubles> unsigned_integers;
-    const auto entry = hn::BitCast(
-        integers, hn::PromoteTo(unsigned_integers,
-                                hn::ShiftRight<32 - ForwardScattering::guide_bits>(hn::BitCast(unsigned_words, bits))));
-    auto segment = hn::GatherIndex(integers, table.guide, entry);
-    for (;;) {
-        const Mask beyond = hn::Lt(hn::GatherIndex(doubles, table.share + 1, segment), xi);
-        if (hn::AllFalse(doubles, beyond)) break;
-        segment = hn::Sub(segment, hn::VecFromMask(integers, hn::RebindMask(integers, beyond)));
-    }
-    return hn::Add(hn::GatherIndex(doubles, table.offset, segment),
-                   hn::Mul(hn::GatherIndex(doubles, table.slope, segment), xi));
-}
-
 /// The cosine after one try of forward scattering with the points of rank `rank` on.
-HWY_INLINE Vector forward_try(const ForwardScattering::Lookup& table, Vector cosine, const SobolPoints& points,
+HWY_INLINE Vector forward_try(const PolarAngles& polar_angles, Vector cosine, const SobolPoints& points,
                               const FourWords& shift, std::size_t rank) {
     const auto polar = shifted_words(points.dimension(0) + rank, shift[0]);
     const auto azimuth = shifted_words(points.dimension(1) + rank, shift[1]);
-    const Vector angle = polar_angle(table, polar, uniforms_of(polar));
+    const Vector angle = polar_angles(polar, uniforms_of(polar));
     const Vector square = hn::Mul(angle, angle);
     return deflected_cosine(cosine, series(detail::alternating_coefficients<7, 0>, square),
                             hn::Mul(angle, series(detail::alternating_coefficients<7, 1>, square)),
                             cosine_of_turns(uniforms_of(azimuth)));
-}
-
-HWY_INLINE Vector rayleigh_cosine(Edition edition, Vector xi) {
-    if (edition == Edition::revised) {
-        const Vector q = hn::Sub(hn::Mul(constant(8.0), xi), constant(4.0));
-        Vector cosine = hn::Div(q, hn::Add(constant(3.0), hn::Mul(hn::Mul(q, q), constant(0.0625))));
-        for (int step = 0; step < RayleighScattering::revised_steps; ++step) {
-            const Vector square = hn::Mul(cosine, cosine);
-            cosine = hn::Div(hn::Add(hn::Mul(hn::Mul(constant(2.0), square), cosine), q),
-                             hn::Add(hn::Mul(constant(3.0), square), constant(3.0)));
-        }
-        return cosine;
-    }
-    Vector turns = xi;
-    for (int step = 0; step < RayleighScattering::printed_steps; ++step) {
-        const Vector excess = hn::Sub(hn::Add(turns, hn::Mul(sine_of_turns(turns), constant(1.0 / (6.0 * pi)))), xi);
-        turns = hn::Sub(turns,
-                        hn::Div(excess, hn::Add(constant(1.0), hn::Mul(cosine_of_turns(turns), constant(1.0 / 3.0)))));
-    }
-    return cosine_of_turns(hn::Mul(constant(0.5), turns));
 }
 
 /// Rays that meet an interface and what becomes of them.
@@ -142,20 +34,35 @@ struct Crossing {
     Vector state;
 };
 
-HWY_INLINE Crossing cross(const MetInterface& interface, Vector cosine, Vector xi) {
-    const Vector reflected = constant(interface.reflected_state);
-    const Vector transmitted = constant(interface.transmitted_state);
-    if (interface.kind == MetInterface::Kind::mirror) return {cosine, reflected};
-    if (interface.kind == MetInterface::Kind::open) return {cosine, transmitted};
-    const Vector beyond =
-        root_or_zero(hn::Sub(constant(1.0), hn::Mul(constant(interface.optics.ratio_squared()),
-                                                    hn::Sub(constant(1.0), hn::Mul(cosine, cosine)))));
-    const Vector n1 = constant(interface.optics.n1());
-    const Vector n2 = constant(interface.optics.n2());
-    const Vector n1c1 = hn::Mul(n1, cosine);
-    const Vector n2c2 = hn::Mul(n2, beyond);
-    const Vector n2c1 = hn::Mul(n2, cosine);
-    const Vector n1c2 = hn::Mul(n1, beyond);
+/// What a Fresnel interface is to each ray.
+struct Refraction {
+    Vector n1;
+    Vector n2;
+    Vector ratio_squared;
+    Vector reflected_state;
+    Vector transmitted_state;
+};
+
+HWY_INLINE Refraction refraction_of(const MetInterface& interface) {
+    return {constant(interface.optics.n1()), constant(interface.optics.n2()),
+            constant(interface.optics.ratio_squared()), constant(interface.reflected_state),
+            constant(interface.transmitted_state)};
+}
+
+HWY_INLINE Refraction either(Mask first, const Refraction& a, const Refraction& b) {
+    return {hn::IfThenElse(first, a.n1, b.n1), hn::IfThenElse(first, a.n2, b.n2),
+            hn::IfThenElse(first, a.ratio_squared, b.ratio_squared),
+            hn::IfThenElse(first, a.reflected_state, b.reflected_state),
+            hn::IfThenElse(first, a.transmitted_state, b.transmitted_state)};
+}
+
+HWY_INLINE Crossing refract(const Refraction& at, Vector cosine, Vector xi) {
+    const Vector beyond = root_or_zero(
+        hn::Sub(constant(1.0), hn::Mul(at.ratio_squared, hn::Sub(constant(1.0), hn::Mul(cosine, cosine)))));
+    const Vector n1c1 = hn::Mul(at.n1, cosine);
+    const Vector n2c2 = hn::Mul(at.n2, beyond);
+    const Vector n2c1 = hn::Mul(at.n2, cosine);
+    const Vector n1c2 = hn::Mul(at.n1, beyond);
     const Vector perpendicular_sum = hn::Add(n1c1, n2c2);
     const Vector parallel_sum = hn::Add(n2c1, n1c2);
     const Vector perpendicular = hn::Mul(hn::Sub(n1c1, n2c2), parallel_sum);
@@ -164,7 +71,24 @@ HWY_INLINE Crossing cross(const MetInterface& interface, Vector cosine, Vector x
     const Mask reflects = hn::Or(hn::Eq(beyond, hn::Zero(doubles)),
                                  hn::Lt(hn::Mul(hn::Mul(hn::Mul(constant(2.0), xi), both), both),
                                         hn::Add(hn::Mul(perpendicular, perpendicular), hn::Mul(parallel, parallel))));
-    return {hn::IfThenElse(reflects, cosine, beyond), hn::IfThenElse(reflects, reflected, transmitted)};
+    return {hn::IfThenElse(reflects, cosine, beyond),
+            hn::IfThenElse(reflects, at.reflected_state, at.transmitted_state)};
+}
+
+HWY_INLINE Crossing cross(const MetInterface& interface, Vector cosine, Vector xi) {
+    if (interface.kind == MetInterface::Kind::mirror) return {cosine, constant(interface.reflected_state)};
+    if (interface.kind == MetInterface::Kind::open) return {cosine, constant(interface.transmitted_state)};
+    return refract(refraction_of(interface), cosine, xi);
+}
+
+/// The interface behind for rays that have `turned`, else that ahead.
+HWY_INLINE Crossing cross_either(const Group& group, Mask turned, Vector cosine, Vector xi) {
+    if (group.ahead.kind == MetInterface::Kind::fresnel && group.behind.kind == MetInterface::Kind::fresnel) {
+        return refract(either(turned, refraction_of(group.behind), refraction_of(group.ahead)), cosine, xi);
+    }
+    const Crossing ahead = cross(group.ahead, cosine, xi);
+    const Crossing behind = cross(group.behind, cosine, xi);
+    return {hn::IfThenElse(turned, behind.cosine, ahead.cosine), hn::IfThenElse(turned, behind.state, ahead.state)};
 }
 
 HWY_INLINE void store(const GroupRays& rays, std::size_t i, const Crossing& crossing, Vector length) {
@@ -176,20 +100,22 @@ HWY_INLINE void store(const GroupRays& rays, std::size_t i, const Crossing& cros
 }
 
 /// Tries the rays `again[0..count)` anew, from attempt 1 on, until all go forward.
-void try_again(const ForwardScattering::Lookup& table, const SobolPoints& points, const RankedNumbers& numbers,
+void try_again(const PolarAngles& polar_angles, const SobolPoints& points, const RankedNumbers& numbers,
                const GroupRays& rays, std::size_t count) {
+    const std::size_t lanes = hn::Lanes(doubles);
+    alignas(64) std::array<double, hn::MaxLanes(doubles)> tried;
     for (std::uint32_t attempt = 1; count > 0; ++attempt) {
         const FourWords shift = numbers.shift(attempt);
         std::size_t still = 0;
-        for (std::size_t rank = 0; rank < count; rank += hn::Lanes(doubles)) {
-            const auto ray = hn::LoadU(Integers(), rays.again + rank);
-            const Vector next = forward_try(table, hn::GatherIndex(doubles, rays.cosine, ray), points, shift, rank);
-            for (std::size_t lane = 0; lane < std::min(hn::Lanes(doubles), count - rank); ++lane) {
-                const std::int64_t index = rays.again[rank + lane];
-                const double cosine = hn::ExtractLane(next, lane);
-                rays.next_cosine[index] = cosine;
+        for (std::size_t rank = 0; rank < count; rank += lanes) {
+            const auto ray = hn::PromoteTo(Integers(), hn::LoadU(Words(), rays.again + rank));
+            const Vector cosine = hn::GatherIndex(doubles, rays.cosine, ray);
+            hn::Store(forward_try(polar_angles, cosine, points, shift, rank), doubles, tried.data());
+            for (std::size_t lane = 0; lane < std::min(lanes, count - rank); ++lane) {
+                const std::int32_t index = rays.again[rank + lane];
+                rays.next_cosine[index] = tried[lane];
                 rays.again[still] = index;
-                still += cosine <= 0.0 ? 1 : 0;
+                still += tried[lane] <= 0.0 ? 1 : 0;
             }
         }
         count = still;
@@ -198,20 +124,21 @@ void try_again(const ForwardScattering::Lookup& table, const SobolPoints& points
 
 void follow_forward(const Group& group, const SobolPoints& points, const RankedNumbers& numbers,
                     const GroupRays& rays) {
-    const ForwardScattering::Lookup table = group.stack->forward[static_cast<std::size_t>(group.state.layer)].lookup();
+    const PolarAngles polar_angles(group.stack->forward[static_cast<std::size_t>(group.state.layer)].lookup());
     const FourWords shift = numbers.shift(0);
     const std::size_t lanes = hn::Lanes(doubles);
     std::size_t rejected = 0;
     for (std::size_t i = 0; i < rays.count; i += lanes) {
-        const Vector next = forward_try(table, hn::LoadU(doubles, rays.cosine + i), points, shift, i);
+        const Vector next = forward_try(polar_angles, hn::LoadU(doubles, rays.cosine + i), points, shift, i);
         hn::StoreU(next, doubles, rays.next_cosine + i);
         const Mask turned = hn::And(hn::Le(next, hn::Zero(doubles)), hn::FirstN(doubles, rays.count - i));
-        if (hn::AllFalse(doubles, turned)) continue;
-        const auto index = hn::Iota(Integers(), static_cast<std::int64_t>(i));
-        hn::StoreU(hn::Compress(index, hn::RebindMask(Integers(), turned)), Integers(), rays.again + rejected);
+        std::array<std::uint8_t, 8> bits;
+        (void)hn::StoreMaskBits(doubles, turned, bits.data());
+        const auto index = hn::Iota(Words(), static_cast<std::int32_t>(i));
+        hn::StoreU(hn::CompressBits(index, bits.data()), Words(), rays.again + rejected);
         rejected += hn::CountTrue(doubles, turned);
     }
-    try_again(table, points, numbers, rays, rejected);
+    try_again(polar_angles, points, numbers, rays, rejected);
     for (std::size_t i = 0; i < rays.count; i += lanes) {
         const Vector next = hn::LoadU(doubles, rays.next_cosine + i);
         const Vector xi = uniforms_of(shifted_words(points.dimension(2) + i, shift[2]));
@@ -243,11 +170,7 @@ void follow_in_dermis(const Group& group, const SobolPoints& points, const Ranke
         const Mask turned = hn::And(rayleigh, hn::Lt(scattered, hn::Zero(doubles)));
         const Vector next = hn::IfThenElse(rayleigh, hn::Abs(scattered), diffuse);
         const Vector length = hn::IfThenZeroElse(turned, hn::Div(constant(1.0), next));
-        const Crossing ahead = cross(group.ahead, next, interface_xi);
-        const Crossing behind = cross(group.behind, next, interface_xi);
-        store(rays, i,
-              {hn::IfThenElse(turned, behind.cosine, ahead.cosine), hn::IfThenElse(turned, behind.state, ahead.state)},
-              length);
+        store(rays, i, cross_either(group, turned, next, interface_xi), length);
     }
 }
 

@@ -66,7 +66,7 @@ struct GroupRays {
     const double* cosine;
     double* next_cosine;
     double* length;          ///< 1 / cosine of the run; 0 where none was completed
-    std::int64_t* again;     ///< room for work
+    std::int32_t* again;     ///< room for work
     std::int32_t* next_key;  ///< `order_key` of the state and cosine that the ray goes on with
 };
 

@@ -27,7 +27,7 @@ std::vector<RecordedRay> record_batch(const LayerStack& stack, const RecordedBat
     Order next(batch.rays);
     std::vector<double> next_cosine(batch.rays + SobolPoints::slack);
     std::vector<double> length(batch.rays + SobolPoints::slack);
-    std::vector<std::int64_t> again(batch.rays + SobolPoints::slack);
+    std::vector<std::int32_t> again(batch.rays + SobolPoints::slack);
     std::vector<std::int32_t> next_key(batch.rays + SobolPoints::slack);
     std::ranges::fill(now.cosine, batch.refracted_cosine);
     for (std::size_t i = 0; i < batch.rays; ++i) now.ray[i] = static_cast<std::uint32_t>(i);

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <span>
 
 #include "model/table.hpp"
@@ -55,7 +56,8 @@ ForwardScattering::ForwardScattering(Layer layer, double wavelength_nm) {
     std::vector<double> percents;
     std::ranges::set_union(lower, upper, std::back_inserter(percents));
     knot_count_ = percents.size();
-    assert(knot_count_ <= most_knots);
+    assert(knot_count_ <= table_size);
+    share_.fill(std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < knot_count_; ++i) {
         share_[i] = percents[i] / 100.0;
         angle_[i] = rad_per_deg * ((1.0 - blend.upper_weight) * measured_angle_deg(lower, angles_deg, percents[i]) +

@@ -40,7 +40,9 @@ public:
     }
 
     /// What `polar_angle` reads, for code that draws many angles at once: the angle of xi in `segment`, which is the
-    /// first from guide[xi * guide_size] on with xi <= share[segment + 1], is offset[segment] + slope[segment] xi.
+    /// first from guide[xi * guide_size] on with xi <= share[segment + 1], is offset[segment] + slope[segment] xi. The
+    /// tables are `table_size` long; shares beyond the last knot are infinite.
+    static constexpr std::size_t table_size = 32;
     struct Lookup {
         const double* share;
         const double* offset;  ///< rad
@@ -54,15 +56,14 @@ public:
     [[nodiscard]] double share_within(double polar_angle) const;
 
 private:
-    static constexpr std::size_t most_knots = 28;  // the shares of two columns of 14 rows
     static constexpr std::size_t guide_size = std::size_t{1} << guide_bits;
 
-    // The inverse is piecewise linear between knots; what lies behind the last knot is never read.
+    // The inverse is piecewise linear between knots, of which two columns of 14 rows have at most 28.
     std::size_t knot_count_ = 0;
-    std::array<double, most_knots> angle_{};        // rad
-    std::array<double, most_knots> share_{};        // 0 to 1
-    std::array<double, most_knots> slope_{};        // rad per share, of the segment that starts here
-    std::array<double, most_knots> offset_{};       // rad, of the line through the segment at share 0
+    std::array<double, table_size> angle_{};        // rad
+    std::array<double, table_size> share_;          // 0 to 1
+    std::array<double, table_size> slope_{};        // rad per share, of the segment that starts here
+    std::array<double, table_size> offset_{};       // rad, of the line through the segment at share 0
     std::array<std::int64_t, guide_size> guide_{};  // the segment that holds the share i / guide_size
 };
 

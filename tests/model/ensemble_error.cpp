@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/chromophores.hpp"
+#include "model/constants.hpp"
 #include "model/path_ensemble.hpp"
 #include "tests/support/statistics.hpp"
 
@@ -75,6 +76,51 @@ TEST(PathEnsembleError, StandardErrorIsTheScatterOverSeeds) {
         EXPECT_LT(p_value(statistic / 1.5 / 1.5), test::passing_p_value)
             << "a standard error 1.5 times too large passes";
     }
+}
+
+/// The standard error that the rays of `ensemble` would leave in the share at the top if they were independent.
+double independent_error(const PathEnsemble& ensemble, const PerLayer<double>& depth) {
+    const PathEnsemble::Recording recording = ensemble.recording();
+    const PathEnsemble::Segment& top = recording.segments[0][static_cast<std::size_t>(Side::top)];
+    const std::uint64_t count = top.batch_begins.back();
+    double sum = 0.0;
+    double squares = 0.0;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        double depth_along = 0.0;
+        for (std::size_t layer = 0; layer < layer_count; ++layer) {
+            depth_along += depth[layer] * static_cast<double>(recording.lengths[top.first_float + layer * count + i]);
+        }
+        const double weight = std::exp(-depth_along);
+        sum += weight;
+        squares += weight * weight;
+    }
+    const auto n = static_cast<double>(ensemble.rays());
+    return (1.0 - ensemble.surface_share()) * std::sqrt((squares / n - (sum / n) * (sum / n)) / n);
+}
+
+TEST(PathEnsembleError, SharedOutNumbersKeepTable1Within0_0005) {
+    constexpr std::size_t seeds = 8;
+    constexpr double largest = 0.0005;     // at 100 000 rays
+    constexpr double wavelength_nm = 700;  // where the share scatters most
+    const Sample table_1;
+    const std::vector<PerLayer<double>> depths = {
+        optical_depth(table_1.skin, Extinction::at(wavelength_nm, table_1.edition))};
+    double as_recorded = 0.0;  // squares of standard errors in units of the largest, summed
+    double independent = 0.0;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        const PathEnsemble ensemble = PathEnsemble::trace(
+            table_1, {wavelength_nm}, {.incidence_rad = 45 * rad_per_deg, .rays = 100'000, .seed = seed});
+        as_recorded += std::pow(ensemble.respond(depths)[0][Side::top].standard_error / largest, 2);
+        independent += std::pow(independent_error(ensemble, depths[0]) / largest, 2);
+    }
+    // Each square has batch_count - 1 degrees of freedom, the batches being sums of thousands of rays.
+    constexpr std::size_t freedom = PathEnsemble::batch_count - 1;
+    const auto p_value = [](double squares) {
+        return test::chi_square_p_value(static_cast<double>(freedom) * squares, seeds * freedom);
+    };
+    EXPECT_GT(p_value(as_recorded), test::passing_p_value) << std::sqrt(as_recorded / seeds) * largest;
+    EXPECT_LT(p_value(independent), test::passing_p_value)
+        << "independent rays pass, at " << std::sqrt(independent / seeds) * largest;
 }
 
 }  // namespace
