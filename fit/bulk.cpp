@@ -10,61 +10,16 @@
 #include <limits>
 #include <utility>
 
+#include "fit/fit_scale.hpp"
 #include "fit/lean_model.hpp"
-#include "fit/minimum.hpp"
 
 namespace skinfit {
 namespace {
 
 using Index = Eigen::Index;
-/// Over the free parameters; on the stack.
 constexpr int most_free = static_cast<int>(parameter_count);
-using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_free, 1>;
+using Vector = FewNumbers;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_free, most_free>;
-
-/// Synthetic spectra over the box, from the closest of which a fit starts.
-struct Starts {
-    Eigen::MatrixXd positions;  // free parameters x spectra
-    Eigen::MatrixXd readings;   // wavelengths x spectra, in sigmas
-
-    explicit Starts(const LeanModel& model, Index free_count) {
-        constexpr Index spectra = 512;
-        positions.resize(free_count, spectra);
-        // Kronecker's low-discrepancy sequence to the root of x^(free + 1) = x + 1; half of it crowded at the lower
-        // bounds, where spectra differ most.
-        double root = 2.0;
-        for (int i = 0; i < 60; ++i) root = std::pow(1.0 + root, 1.0 / static_cast<double>(free_count + 1));
-        for (Index column = 0; column < spectra; ++column) {
-            for (Index row = 0; row < free_count; ++row) {
-                const double turns = static_cast<double>(column + 1) * std::pow(root, -static_cast<double>(row + 1));
-                const double place = turns - std::floor(turns);
-                positions(row, column) = column % 2 == 0 ? place : place * place * place;
-            }
-            const Eigen::VectorXd reading =
-                model.at({positions.col(column).data(), static_cast<std::size_t>(free_count)}).reading;
-            if (column == 0) readings.resize(reading.size(), spectra);
-            readings.col(column) = reading;
-        }
-    }
-
-    /// The positions of the `count` closest spectra, none within half the box's width of a closer one.
-    [[nodiscard]] std::vector<Vector> closest(const Eigen::VectorXd& measured, int count) const {
-        constexpr double apart = 0.5;
-        Eigen::RowVectorXd distance = (readings.colwise() - measured).colwise().squaredNorm();
-        std::vector<Vector> found;
-        while (found.size() < static_cast<std::size_t>(count)) {
-            Index column = 0;
-            if (!std::isfinite(distance.minCoeff(&column))) break;
-            found.emplace_back(positions.col(column));
-            for (Index other = 0; other < distance.size(); ++other) {
-                if ((positions.col(other) - found.back()).norm() < apart) {
-                    distance[other] = std::numeric_limits<double>::infinity();
-                }
-            }
-        }
-        return found;
-    }
-};
 
 /// chi2 at some positions, half its gradient and half its approximate Hessian.
 struct Point {
@@ -166,6 +121,8 @@ Path minimise(const LeanModel& model, const Eigen::VectorXd& measured, const Vec
         const Point& here = path.point;
         const Vector step = bounded_step(here, damping);
         const double length = length_squared(here, step);
+        // Damping beyond all numbers: nothing that is shorter than rounding lowers chi2.
+        if (!step.allFinite() || !std::isfinite(length)) return path;
         // A damped step may be short far from the minimum.
         if (length <= converged && length_squared(here, bounded_step(here, 0.0)) <= converged) {
             path.converged = true;
@@ -219,8 +176,10 @@ BulkFit described(const FitProblem& problem, const Path& path) {
     constexpr double touching = 1e-6;  // as `estimate_uncertainty`
     for (Index i = 0; i < size; ++i) {
         Status& status = fit.statuses[static_cast<std::size_t>(i)];
-        if (point.positions[i] <= touching && point.gradient[i] >= 0.0) status = Status::at_lower_bound;
-        if (point.positions[i] >= 1.0 - touching && point.gradient[i] <= 0.0) status = Status::at_upper_bound;
+        const Bounds& bounds = problem.free[static_cast<std::size_t>(i)].bounds;
+        const double share = (fit.values[static_cast<std::size_t>(i)] - bounds.lower) / (bounds.upper - bounds.lower);
+        if (share <= touching && point.gradient[i] >= 0.0) status = Status::at_lower_bound;
+        if (1.0 - share <= touching && point.gradient[i] <= 0.0) status = Status::at_upper_bound;
         if (status == Status::free) inner.push_back(i);
     }
     if (inner.empty()) return fit;
@@ -228,37 +187,58 @@ BulkFit described(const FitProblem& problem, const Path& path) {
     constexpr double least_curvature = 1e-12;  // a direction without any effect has a variance far beyond identifiable
     curvature.diagonal().array() += least_curvature;
     const Matrix covariance = curvature.ldlt().solve(Matrix::Identity(curvature.rows(), curvature.cols()));
+    const std::vector<double> slopes = unit_box_slopes(problem, {point.positions.data(), problem.free.size()});
     for (std::size_t a = 0; a < inner.size(); ++a) {
-        const Bounds& bounds_a = problem.free[static_cast<std::size_t>(inner[a])].bounds;
-        constexpr double uniform_variance = 1.0 / 12.0;  // over the unit box
-        const double variance = covariance(static_cast<Index>(a), static_cast<Index>(a));
-        if (!(variance < uniform_variance)) {
-            fit.statuses[static_cast<std::size_t>(inner[a])] = Status::not_identifiable;
-        }
+        const auto row = static_cast<std::size_t>(inner[a]);
         for (std::size_t b = 0; b < inner.size(); ++b) {
-            const Bounds& bounds_b = problem.free[static_cast<std::size_t>(inner[b])].bounds;
             fit.covariance(inner[a], inner[b]) = covariance(static_cast<Index>(a), static_cast<Index>(b)) *
-                                                 (bounds_a.upper - bounds_a.lower) * (bounds_b.upper - bounds_b.lower);
+                                                 slopes[row] * slopes[static_cast<std::size_t>(inner[b])];
         }
+        const double width = problem.free[row].bounds.upper - problem.free[row].bounds.lower;
+        const double uniform_variance = width * width / 12.0;  // over the bounds
+        if (!(fit.covariance(inner[a], inner[a]) < uniform_variance)) fit.statuses[row] = Status::not_identifiable;
     }
     return fit;
 }
 
+/// Of a spectrum with values that are no numbers, or so large that chi2 is none.
+BulkFit not_fitted(std::size_t free_count) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const auto size = static_cast<Index>(free_count);
+    return {.converged = false,
+            .values = std::vector<double>(free_count, none),
+            .statuses = std::vector<Status>(free_count, Status::not_identifiable),
+            .covariance = Eigen::MatrixXd::Zero(size, size),
+            .chi2 = none,
+            .rmse = none,
+            .evaluations = 0};
+}
+
 }  // namespace
+
+LeanFitter::LeanFitter(const FitProblem& problem, const Emulator& emulator, const BulkOptions& options)
+    : problem_(&problem),
+      options_(options),
+      model_(problem, emulator),
+      starts_(model_, static_cast<Index>(problem.free.size())) {
+    assert(options.starts > 0);
+}
+
+BulkFit LeanFitter::fit(const Eigen::VectorXd& spectrum) const {
+    assert(spectrum.size() == static_cast<Index>(problem_->wavelength_nm.size()));
+    const Eigen::VectorXd measured =
+        spectrum.cwiseQuotient(Eigen::Map<const Eigen::VectorXd>(problem_->sigma.data(), spectrum.size()));
+    const std::vector<Vector> starts = starts_.closest(measured, options_.starts);
+    if (starts.empty()) return not_fitted(problem_->free.size());
+    return described(*problem_, lowest(model_, measured, starts));
+}
 
 std::vector<BulkFit> fit_in_bulk(const FitProblem& problem, const Emulator& emulator, const Eigen::MatrixXd& spectra,
                                  const BulkOptions& options) {
-    assert(options.starts > 0);
-    assert(spectra.rows() == static_cast<Index>(problem.wavelength_nm.size()));
-    const LeanModel model(problem, emulator);
-    const Starts starts(model, static_cast<Index>(problem.free.size()));
-    const Eigen::Map<const Eigen::VectorXd> sigma(problem.sigma.data(), spectra.rows());
+    const LeanFitter fitter(problem, emulator, options);
     std::vector<BulkFit> fits(static_cast<std::size_t>(spectra.cols()));
-    tbb::parallel_for(Index{0}, spectra.cols(), [&](Index column) {
-        const Eigen::VectorXd measured = spectra.col(column).cwiseQuotient(sigma);
-        fits[static_cast<std::size_t>(column)] =
-            described(problem, lowest(model, measured, starts.closest(measured, options.starts)));
-    });
+    tbb::parallel_for(Index{0}, spectra.cols(),
+                      [&](Index column) { fits[static_cast<std::size_t>(column)] = fitter.fit(spectra.col(column)); });
     return fits;
 }
 

@@ -3,7 +3,9 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "fit/lean_model.hpp"
 #include "fit/problem.hpp"
+#include "fit/synthetic_starts.hpp"
 #include "fit/uncertainty.hpp"
 #include "model/emulator.hpp"
 
@@ -26,11 +28,28 @@ struct BulkOptions {
     int starts = 2;
 };
 
-/// Fits many spectra that share everything but the measured values: `problem` with each column of `spectra`,
-/// wavelengths x spectra, in place of `FitProblem::measured`. `emulator` must have been built for
-/// `emulator_domain(problem)`. Starts where the closest of some synthetic spectra lies, whatever the starts of the
-/// problem. Minimum and covariance are those of `fit_spectrum` with engine emulator; the same bits for any number of
-/// threads. A fit that ends badly has `converged` false.
+/// Fits spectra that share everything but the measured values: `problem` with other values in place of
+/// `FitProblem::measured`. `emulator` must have been built for `emulator_domain(problem)`. Starts where the closest of
+/// some synthetic spectra lie, whatever the starts of the problem. Minimum and covariance are those of `fit_spectrum`
+/// with engine emulator. Refers to the problem, which must outlive it.
+class LeanFitter {
+public:
+    /// Computes the synthetic spectra. Throws InputError as `LeanModel` does.
+    LeanFitter(const FitProblem& problem, const Emulator& emulator, const BulkOptions& options = {});
+
+    /// The fit of `spectrum`, fractions at the wavelengths of the problem. One that ends badly has `converged` false; a
+    /// spectrum with values that are not finite has none: values, chi2 and rmse are NaN.
+    [[nodiscard]] BulkFit fit(const Eigen::VectorXd& spectrum) const;
+
+private:
+    const FitProblem* problem_;
+    BulkOptions options_;
+    LeanModel model_;
+    SyntheticStarts starts_;
+};
+
+/// The fits of a `LeanFitter` of each column of `spectra`, wavelengths x spectra; the same bits for any number of
+/// threads.
 [[nodiscard]] std::vector<BulkFit> fit_in_bulk(const FitProblem& problem, const Emulator& emulator,
                                                const Eigen::MatrixXd& spectra, const BulkOptions& options = {});
 

@@ -2,10 +2,32 @@
 
 #include <utility>
 
-#include "fit/minimum.hpp"
+#include "core/input_error.hpp"
+#include "fit/fit_scale.hpp"
 #include "fit/reading.hpp"
 
 namespace skinfit {
+namespace {
+
+/// What is minimised must be the sum of the squares of independent residuals.
+void require_plain_squares(const FitProblem& problem) {
+    const auto refuse = [](const std::string& where) {
+        throw InputError(
+            {.where = where,
+             .problem = "cannot be used in a fit of many spectra",
+             .why = "it minimises the sum of the squares of (modelled - measured) / sigma and nothing else",
+             .remedy = "leave it out, or fit one spectrum at a time"});
+    };
+    if (problem.loss != Loss::squares) refuse("loss");
+    if (!problem.weight.empty()) refuse("weights");
+    if (problem.discrepancy) refuse("discrepancy");
+    if (!problem.derived_priors.empty()) refuse("priors");
+    for (const FreeParameter& free : problem.free) {
+        if (free.prior) refuse("priors");
+    }
+}
+
+}  // namespace
 
 using Index = Eigen::Index;
 
@@ -13,11 +35,14 @@ LeanModel::LeanModel(const FitProblem& problem, Emulator emulator)
     : problem_(&problem),
       emulator_(std::move(emulator)),
       pigments_(
-          extinctions(true_wavelengths_nm(problem.experiment, problem.wavelength_nm), problem.experiment.edition)) {}
+          extinctions(true_wavelengths_nm(problem.experiment, problem.wavelength_nm), problem.experiment.edition)) {
+    require_plain_squares(problem);
+}
 
 LeanModel::Modelled LeanModel::at(std::span<const double> positions) const {
     Experiment experiment = problem_->experiment;
     const std::vector<double> values = from_unit_box(*problem_, positions);
+    const std::vector<double> slopes = unit_box_slopes(*problem_, positions);
     for (std::size_t i = 0; i < values.size(); ++i) {
         value_of(experiment.values, problem_->free[i].parameter) = values[i];
     }
@@ -54,8 +79,7 @@ LeanModel::Modelled LeanModel::at(std::span<const double> positions) const {
                     }
                 }
             }
-            modelled.jacobian(row, static_cast<Index>(j)) =
-                by * (free.bounds.upper - free.bounds.lower) / problem_->sigma[i];
+            modelled.jacobian(row, static_cast<Index>(j)) = by * slopes[j] / problem_->sigma[i];
         }
     }
     return modelled;

@@ -14,9 +14,10 @@ namespace skinfit {
 /// depend on the free parameters. Refers to the problem, which must outlive it.
 class LeanModel {
 public:
+    /// Throws InputError for a problem with priors, weights, a discrepancy or another loss than squares.
     LeanModel(const FitProblem& problem, Emulator emulator);
 
-    /// In sigmas of each wavelength, and by the positions of the free parameters between their bounds, 0 to 1.
+    /// In sigmas of each wavelength, and by the positions of the free parameters in the unit box (`to_unit_box`).
     struct Modelled {
         Eigen::VectorXd reading;
         Eigen::MatrixXd jacobian;  ///< wavelengths x free parameters

@@ -164,11 +164,13 @@ std::string model_text(const Configuration& configuration) {
         if (json[key].is_string()) return json[key].get<std::string>();
         return json[key].is_number_float() ? fmt::format("{:g}", json[key].get<double>()) : json[key].dump();
     };
+    const bool draws_rays = configuration.engine == Engine::paths || configuration.engine == Engine::walk;
+    const std::string rays = draws_rays ? fmt::format(", {} rays", word("rays")) : "";
     return fmt::format(
-        "model: edition {}, engine {}, {} rays, seed {}; {} layers on base {}\n"
+        "model: edition {}, engine {}{}, seed {}; {} layers on base {}\n"
         "instrument: {}, incidence {} deg, specular {}{}\n"
         "skinfit {}, research software, not a medical device\n",
-        word("edition"), word("engine"), word("rays"), word("seed"), word("layers"), word("base"), word("quantity"),
+        word("edition"), word("engine"), rays, word("seed"), word("layers"), word("base"), word("quantity"),
         word("incidence_deg"), word("specular"),
         configuration.viewing_cone_deg ? fmt::format(", viewing cone {:g} deg", *configuration.viewing_cone_deg) : "",
         version);

@@ -2,11 +2,13 @@
 #include <tbb/global_control.h>
 
 #include <cmath>
+#include <limits>
 
 #include "core/input_error.hpp"
 #include "fit/bulk.hpp"
 #include "fit/emulation.hpp"
 #include "fit/fit.hpp"
+#include "fit/fit_scale.hpp"
 #include "fit/lean_model.hpp"
 #include "tests/fit/synthetic.hpp"
 
@@ -68,6 +70,7 @@ TEST(EmulatorEngine, ObjectiveJacobianEqualsDifferences) {
     const std::vector<double> values = starts(problem);
     const Objective::Modelled at = objective.model(values);
     const LeanModel::Modelled lean = LeanModel(problem, emulator).at(to_unit_box(problem, values));
+    const std::vector<double> slopes = unit_box_slopes(problem, to_unit_box(problem, values));
     for (std::size_t i = 0; i < problem.free.size(); ++i) {
         SCOPED_TRACE(info(problem.free[i].parameter).name);
         const auto column = static_cast<Eigen::Index>(i);
@@ -85,12 +88,11 @@ TEST(EmulatorEngine, ObjectiveJacobianEqualsDifferences) {
         const double error = (coarse - fine).cwiseAbs().maxCoeff() + 1e-13 / step;
         EXPECT_LE((fine - at.jacobian.col(column)).cwiseAbs().maxCoeff(), error);
         EXPECT_GT(at.jacobian.col(column).cwiseAbs().maxCoeff(), 100.0 * error);
-        const double width = problem.free[i].bounds.upper - problem.free[i].bounds.lower;
         const double largest = lean.jacobian.col(column).cwiseAbs().maxCoeff();
         for (Eigen::Index row = 0; row < lean.reading.size(); ++row) {
             const double sigma = problem.sigma[static_cast<std::size_t>(row)];
             EXPECT_NEAR(lean.reading[row] * sigma, at.reading[row], 1e-14);
-            EXPECT_NEAR(lean.jacobian(row, column), at.jacobian(row, column) * width / sigma, 1e-12 * largest);
+            EXPECT_NEAR(lean.jacobian(row, column), at.jacobian(row, column) * slopes[i] / sigma, 1e-12 * largest);
         }
     }
 }
@@ -201,6 +203,39 @@ TEST(FitInBulk, HoldsParametersAtTheirBounds) {
     EXPECT_EQ(fit.statuses[0], Status::at_lower_bound);
     EXPECT_EQ(fit.values[0], 0.0);
     EXPECT_EQ(fit.covariance(0, 0), 0.0);
+}
+
+TEST(FitInBulk, SpectraThatAreNoNumbersEndWithoutAFitAndLeaveTheOthersAlone) {
+    const Bulk bulk;
+    Eigen::MatrixXd spectra = bulk.matrix.leftCols(4);
+    spectra(0, 1) = std::numeric_limits<double>::quiet_NaN();
+    spectra(5, 2) = std::numeric_limits<double>::infinity();
+    spectra.col(3).setConstant(1e200);  // chi2 overflows
+    const std::vector<BulkFit> fits = fit_in_bulk(bulk.problem, bulk.emulator, spectra);
+    EXPECT_EQ(fits[0].values, fit_in_bulk(bulk.problem, bulk.emulator, spectra.leftCols(1)).front().values);
+    for (const std::size_t i : {1, 2, 3}) {
+        EXPECT_FALSE(fits[i].converged);
+        EXPECT_FALSE(std::isfinite(fits[i].chi2));
+    }
+}
+
+TEST(FitInBulk, RefusesWhatIsNoPlainSumOfSquares) {
+    const Bulk bulk;
+    const auto expect_refusal = [&](const std::string& where, const auto& change) {
+        FitProblem problem = bulk.problem;
+        change(problem);
+        try {
+            (void)fit_in_bulk(problem, bulk.emulator, bulk.matrix);
+            FAIL() << where;
+        } catch (const InputError& error) {
+            EXPECT_EQ(std::string(error.what()).find(where), 0U) << error.what();
+        }
+    };
+    expect_refusal("loss", [](FitProblem& problem) { problem.loss = Loss::huber; });
+    expect_refusal("weights", [](FitProblem& problem) { problem.weight.assign(problem.sigma.size(), 2.0); });
+    expect_refusal("discrepancy", [](FitProblem& problem) { problem.discrepancy = Discrepancy{}; });
+    expect_refusal("priors", [](FitProblem& problem) { problem.free[0].prior = Prior{}; });
+    expect_refusal("priors", [](FitProblem& problem) { problem.derived_priors.emplace_back(); });
 }
 
 }  // namespace
