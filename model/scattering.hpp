@@ -39,10 +39,10 @@ public:
         return offset_[segment] + slope_[segment] * xi;
     }
 
+    static constexpr std::size_t table_size = 32;  ///< of the tables of knots
     /// What `polar_angle` reads, for code that draws many angles at once: the angle of xi in `segment`, which is the
-    /// first from guide[xi * guide_size] on with xi <= share[segment + 1], is offset[segment] + slope[segment] xi. The
-    /// tables are `table_size` long; shares beyond the last knot are infinite.
-    static constexpr std::size_t table_size = 32;
+    /// first from guide[xi * guide_size] on with xi <= share[segment + 1], is offset[segment] + slope[segment] xi.
+    /// Shares beyond the last knot are infinite.
     struct Lookup {
         const double* share;
         const double* offset;  ///< rad

@@ -91,8 +91,9 @@ HWY_INLINE Vector uniforms_of(WordVector bits) {
 }
 
 #if HWY_TARGET <= HWY_AVX3
-/// `ForwardScattering::polar_angle` of vectors. The tables lie in registers, where permutations look them up: gathers
-/// from memory take several times as long.
+/// `ForwardScattering::polar_angle` of the numbers `xi`, which stand for `bits`. The tables lie in registers, where
+/// permutations look them up: gathers from memory take longer. The segment is the one that starts at the
+/// last knot below xi, which is also where the guide leads: no xi is a multiple of 1 / guide_size.
 class PolarAngles {
 public:
     explicit PolarAngles(const ForwardScattering::Lookup& table)
@@ -139,7 +140,7 @@ private:
     Table slope_;
 };
 #else
-/// `ForwardScattering::polar_angle` of the numbers `xi`, which stand for `bits`.
+/// The same by way of the guide.
 class PolarAngles {
 public:
     explicit PolarAngles(const ForwardScattering::Lookup& table) : table_(table) {}
