@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "core/input_error.hpp"
 #include "model/angular_solver.hpp"
 #include "model/chebyshev.hpp"
 #include "model/chromophores.hpp"
+#include "model/depth_box.hpp"
 #include "model/emulator.hpp"
 
 namespace skinfit {
@@ -21,60 +21,6 @@ namespace {
 constexpr double least_coefficient = 5e-7;
 
 using DepthVector = std::vector<PerLayer<double>>;
-
-/// The optical depths that occur in a domain at one wavelength.
-struct DepthBox {
-    PerLayer<double> lowest;
-    PerLayer<double> highest;
-
-    /// Whether the depth varies by more than rounding, and the sample has the layer.
-    [[nodiscard]] bool varies(std::size_t layer) const {
-        constexpr double rounding = 1e-9;
-        return highest[layer] > lowest[layer] * (1.0 + rounding) && std::isfinite(highest[layer]);
-    }
-};
-
-/// A depth is linear in each parameter by itself, so its extremes lie at corners of the ranges.
-DepthBox depth_box(const EmulatorDomain& domain, const Extinction& extinction) {
-    DepthBox box;
-    box.lowest.fill(std::numeric_limits<double>::infinity());
-    box.highest.fill(0.0);
-    for (std::size_t corner = 0; corner < std::size_t{1} << domain.ranges.size(); ++corner) {
-        ParameterValues values{.skin = domain.sample.skin, .instrument = {}};
-        for (std::size_t i = 0; i < domain.ranges.size(); ++i) {
-            const ParameterRange& range = domain.ranges[i];
-            value_of(values, range.parameter) = (corner >> i) % 2 == 0 ? range.lower : range.upper;
-        }
-        const PerLayer<double> depth = optical_depth(values.skin, extinction);
-        for (std::size_t layer = 0; layer < layer_count; ++layer) {
-            box.lowest[layer] = std::min(box.lowest[layer], depth[layer]);
-            box.highest[layer] = std::max(box.highest[layer], depth[layer]);
-        }
-    }
-    for (auto layer = static_cast<std::size_t>(domain.sample.layers); layer < layer_count; ++layer) {
-        box.lowest[layer] = 0.0;  // any depth of a layer that the sample does not have
-        box.highest[layer] = std::numeric_limits<double>::infinity();
-    }
-    return box;
-}
-
-/// log(depth + shift) * scale + offset, from -1 to 1 over the box.
-struct Coordinate {
-    double shift = 1.0;
-    double scale = 0.0;  // where the depth does not vary
-    double offset = 0.0;
-
-    Coordinate(const DepthBox& box, std::size_t layer) {
-        if (!box.varies(layer)) return;
-        shift = 2.0 * box.lowest[layer];
-        const double first = std::log(box.lowest[layer] + shift);
-        const double last = std::log(box.highest[layer] + shift);
-        scale = 2.0 / (last - first);
-        offset = -1.0 - first * scale;
-    }
-
-    [[nodiscard]] double depth(double coordinate) const { return std::exp((coordinate - offset) / scale) - shift; }
-};
 
 /// One wavelength on the way to an emulator.
 struct Wavelength {
@@ -98,7 +44,7 @@ ShareTable shares_of(const AngularComposition& composition, const DepthVector& u
 /// The depths of one layer at `count` nodes.
 std::vector<double> node_depths(const DepthBox& box, std::size_t layer, int count) {
     if (!box.varies(layer)) return {box.lowest[layer]};
-    const Coordinate coordinate(box, layer);
+    const DepthCoordinate coordinate(box, layer);
     std::vector<double> depths;
     for (const double node : chebyshev_nodes(count)) depths.push_back(coordinate.depth(node));
     return depths;
@@ -247,7 +193,7 @@ Grouped grouped(const Members& members) {
     for (std::size_t lane = 0; lane < emulator_lanes; ++lane) {
         const DepthBox& box = members[lane]->box;
         for (std::size_t layer = 0; layer < layer_count; ++layer) {
-            const Coordinate coordinate(box, layer);
+            const DepthCoordinate coordinate(box, layer);
             result.group.coordinate.shift[layer][lane] = coordinate.shift;
             result.group.coordinate.scale[layer][lane] = coordinate.scale;
             result.group.coordinate.offset[layer][lane] = coordinate.offset;

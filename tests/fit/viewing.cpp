@@ -49,6 +49,7 @@ TEST(ViewingCone, IsRefusedWhereItMeansNothing) {
     };
     const Configuration bad[] = {
         with([](Configuration& c) { c.engine = Engine::paths; }),
+        with([](Configuration& c) { c.engine = Engine::emulator; }),
         with([](Configuration& c) { c.quantity = Quantity::transmittance; }),
         with([](Configuration& c) { c.specular = Specular::included; }),
         with([](Configuration& c) { c.values.instrument.specular_fraction = 0.1; }),

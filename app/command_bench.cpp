@@ -1,0 +1,65 @@
+#include "app/commands.hpp"
+#include "app/shared_options.hpp"
+#include "bench/output.hpp"
+#include "bench/scaling.hpp"
+
+namespace skinfit {
+namespace {
+
+struct BenchCommand {
+    SharedOptions output;
+    BenchSizes sizes;
+    std::filesystem::path scaling;
+};
+
+int run(const BenchCommand& command) {
+    check_output(command.output);
+    if (!command.scaling.empty()) {
+        SharedOptions probe;
+        probe.out = command.scaling / "scaling_rays.svg";
+        check_output(probe);  // before the work
+        write_scaling(measure_scaling(), command.scaling);
+        return trustworthy_result;
+    }
+    const BenchResult result = measure_ladder(command.sizes);
+    write_output(command.output, command.output.format == "json" ? json_text(bench_json(result)) : bench_text(result));
+    return trustworthy_result;
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& app, int& exit_code) {
+    const auto command = std::make_shared<BenchCommand>();
+    command->output.format = "text";
+    CLI::App* const bench = app.add_subcommand("bench", "measure on this machine what a fit costs, by each engine");
+    bench->add_option("--spectra", command->sizes.spectra, "synthetic, fitted by each engine")
+        ->check(CLI::Range(2, 100'000))
+        ->capture_default_str();
+    bench->add_option("--solver-spectra", command->sizes.solver_spectra, "of them fitted by the angular solver too")
+        ->check(CLI::Range(1, 100'000))
+        ->capture_default_str();
+    bench
+        ->add_option("--bulk-spectra", command->sizes.bulk_spectra, "fitted in one call; repeats where there are fewer")
+        ->check(CLI::Range(1, 10'000'000))
+        ->capture_default_str();
+    bench->add_option("--rays", command->sizes.rays, "per wavelength, of walks")
+        ->check(CLI::Range(3000, 10'000'000))
+        ->capture_default_str();
+    bench
+        ->add_option("--brute-force-evaluations", command->sizes.brute_force_evaluations,
+                     "timed of a fit that traces all rays anew each time; the rest is extrapolated")
+        ->check(CLI::Range(1, 10'000))
+        ->capture_default_str();
+    bench->add_option("--format", command->output.format, "form of the output")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->capture_default_str();
+    bench->add_option("--out", command->output.out, "write there instead of to the terminal")->type_name("FILE");
+    bench
+        ->add_option("--scaling", command->scaling,
+                     "instead, plot costs against spectra, wavelengths, rays and free parameters into this folder")
+        ->type_name("FOLDER");
+    bench->footer("Exit code 0: done; 2: bad input; 3: internal error.");
+    bench->callback([command, &exit_code] { exit_code = run(*command); });
+}
+
+}  // namespace skinfit

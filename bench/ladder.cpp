@@ -1,0 +1,276 @@
+#include "bench/ladder.hpp"
+
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cassert>
+#include <functional>
+#include <memory>
+
+#include "bench/brute_force.hpp"
+#include "bench/work.hpp"
+#include "fit/bulk.hpp"
+#include "fit/emulation.hpp"
+#include "fit/fit.hpp"
+#include "fit/multistart.hpp"
+#include "fit/uncertainty.hpp"
+
+namespace skinfit {
+namespace {
+
+using Index = Eigen::Index;
+constexpr double megabyte = 1024.0 * 1024.0;
+
+/// One fit of a rung.
+struct TimedFit {
+    std::vector<double> values;
+    double chi2;
+    int evaluations;
+    Duration duration{};
+};
+using TimedFits = std::vector<TimedFit>;
+
+TimedFit of(const Minimum& minimum) {
+    return {.values = minimum.values, .chi2 = minimum.chi2, .evaluations = minimum.evaluations};
+}
+
+TimedFits timed_fits(const BenchWork& work, std::size_t count, const std::function<TimedFit(const FitProblem&)>& fit) {
+    TimedFits fits;
+    for (std::size_t i = 0; i < count; ++i) {
+        const FitProblem problem = problem_of(work, static_cast<Index>(i));
+        const Stopwatch watch;
+        fits.push_back(fit(problem));
+        fits.back().duration = watch.elapsed();
+    }
+    return fits;
+}
+
+template <class Of>
+double median_of(const TimedFits& fits, Of of_fit) {
+    std::vector<double> numbers;
+    for (const TimedFit& fit : fits) numbers.push_back(of_fit(fit));
+    return median(numbers);
+}
+
+BenchRung rung_of(const std::string& name, const std::string& what, const TimedFits& fits, double model_mb) {
+    return {.name = name,
+            .what = what,
+            .spectra = fits.size(),
+            .median = {.wall_s = median_of(fits, [](const TimedFit& fit) { return fit.duration.wall_s; }),
+                       .cpu_s = median_of(fits, [](const TimedFit& fit) { return fit.duration.cpu_s; })},
+            .evaluations = median_of(fits, [](const TimedFit& fit) { return static_cast<double>(fit.evaluations); }),
+            .model_mb = model_mb,
+            .accuracy = std::nullopt};
+}
+
+/// The solver's fit that counts, with its sigmas.
+struct Reference {
+    std::unique_ptr<FitProblem> problem;  // to which the objective refers
+    Objective objective;
+    Minimum minimum;
+    Uncertainty uncertainty;
+};
+
+/// How far the fits of one rung lie from the references of their spectra.
+BenchAccuracy accuracy_of(const TimedFits& fits, const std::vector<Reference>& references) {
+    constexpr double another_minimum = 1.0;
+    BenchAccuracy accuracy;
+    std::vector<double> largest;
+    for (std::size_t i = 0; i < references.size(); ++i) {
+        const Reference& reference = references[i];
+        if (!(reference.objective.chi2(fits[i].values) - reference.minimum.chi2 < another_minimum)) {
+            ++accuracy.other_minima;
+            continue;
+        }
+        largest.push_back(0.0);
+        for (std::size_t j = 0; j < fits[i].values.size(); ++j) {
+            const std::optional<double> sigma = reference.uncertainty.parameters[j].sigma;
+            if (!sigma) continue;
+            const double difference = std::abs(fits[i].values[j] - reference.minimum.values[j]) / *sigma;
+            largest.back() = std::max(largest.back(), difference);
+        }
+    }
+    accuracy.median_sigmas = median(largest);
+    if (!largest.empty()) accuracy.worst_sigmas = *std::ranges::max_element(largest);
+    return accuracy;
+}
+
+double megabytes_of(const Emulator& emulator) {
+    const Emulator::Parts parts = emulator.parts();
+    return static_cast<double>(parts.coefficients.size_bytes() + parts.counts.size_bytes() +
+                               parts.groups.size() * sizeof parts.groups[0]) /
+           megabyte;
+}
+
+/// The shortest times of `work`, by turns on one thread and on two.
+BenchThreads on_one_and_two_threads(const std::string& name, int runs, const std::function<void()>& work) {
+    BenchThreads times{.name = name, .one_s = 0.0, .two_s = 0.0, .one_cpu_s = 0.0};
+    const auto timed = [&](std::size_t threads) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        const Stopwatch watch;
+        work();
+        return watch.elapsed();
+    };
+    for (int run = 0; run < runs; ++run) {
+        const Duration one = timed(1);
+        const Duration two = timed(2);
+        times.one_s = run == 0 ? one.wall_s : std::min(times.one_s, one.wall_s);
+        times.two_s = run == 0 ? two.wall_s : std::min(times.two_s, two.wall_s);
+        times.one_cpu_s = run == 0 ? one.cpu_s : std::min(times.one_cpu_s, one.cpu_s);
+    }
+    return times;
+}
+
+PathEnsemble recorded(const FitProblem& problem) {
+    return PathEnsemble::trace(problem.experiment.sample(), problem.wavelength_nm, problem.walk);
+}
+
+std::vector<PerLayer<double>> table_1_depths(const FitProblem& problem) {
+    return optical_depths(problem.experiment.values.skin,
+                          extinctions(problem.wavelength_nm, problem.experiment.edition));
+}
+
+/// Recording, responding and fitting in bulk on one thread and on two, and what follows from them.
+void measure_threads(const BenchWork& work, const PathEnsemble& ensemble, const Emulator& emulator,
+                     BenchResult& result) {
+    const FitProblem& problem = work.problem;
+    const std::vector<PerLayer<double>> depths = table_1_depths(problem);
+    result.threads.push_back(on_one_and_two_threads("record", 3, [&] { (void)recorded(problem); }));
+    result.recorded_rays_per_s_and_core = static_cast<double>(problem.walk.rays) *
+                                          static_cast<double>(problem.wavelength_nm.size()) /
+                                          result.threads.back().one_cpu_s;
+    result.threads.push_back(on_one_and_two_threads("respond", 30, [&] { (void)ensemble.respond(depths); }));
+
+    const Index count = std::max<Index>(work.spectra.cols(), result.sizes.bulk_spectra);
+    Eigen::MatrixXd many(work.spectra.rows(), count);
+    for (Index column = 0; column < count; ++column) many.col(column) = work.spectra.col(column % work.spectra.cols());
+    std::vector<BulkFit> fits;
+    result.threads.push_back(on_one_and_two_threads("bulk", 3, [&] { fits = fit_in_bulk(problem, emulator, many); }));
+    result.bulk_spectra_per_s = static_cast<double>(count) / result.threads.back().two_s;
+    result.bulk_spectra_per_cpu_s = static_cast<double>(count) / result.threads.back().one_cpu_s;
+    result.bulk_not_converged = static_cast<int>(
+        std::count_if(fits.begin(), fits.begin() + work.spectra.cols(), [](const BulkFit& f) { return !f.converged; }));
+
+    std::vector<double> errors;
+    for (const EnsembleResponse& response : ensemble.respond(depths)) {
+        errors.push_back(response[Side::top].standard_error);
+    }
+    result.largest_standard_error = *std::ranges::max_element(errors);
+    result.median_standard_error = median(errors);
+}
+
+/// A search for several minima as `fit_spectrum` makes it, with its uncertainty.
+TimedFit fit_as_configured(const FitProblem& problem, const ForwardModel& model, const ForwardModel& cheap,
+                           std::uint64_t starts) {
+    const Objective objective(problem, model);
+    const std::vector<DistinctMinimum> minima =
+        distinct_minima(Objective(problem, cheap), objective, Solver::ceres, starts);
+    (void)estimate_uncertainty(objective, minima.front().minimum);
+    TimedFit fit = of(minima.front().minimum);
+    fit.evaluations = 0;
+    for (const DistinctMinimum& each : minima) fit.evaluations += each.minimum.evaluations;
+    return fit;
+}
+
+TimedFit fit_once(const FitProblem& problem, const ForwardModel& model) {
+    const Objective objective(problem, model);
+    const Minimum minimum = minimise_by_ceres(objective, starts(problem));
+    (void)estimate_uncertainty(objective, minimum);
+    return of(minimum);
+}
+
+/// From the lowest minimum of any rung.
+std::vector<Reference> references_of(const BenchWork& work, const ForwardModel& solver, std::size_t count,
+                                     const std::vector<TimedFits>& rungs) {
+    std::vector<Reference> references;
+    for (std::size_t i = 0; i < count; ++i) {
+        auto problem = std::make_unique<FitProblem>(problem_of(work, static_cast<Index>(i)));
+        Objective objective(*problem, solver);
+        const auto lowest = std::ranges::min_element(rungs, {}, [&](const TimedFits& fits) { return fits[i].chi2; });
+        Minimum minimum = minimise_by_ceres(objective, (*lowest)[i].values);
+        Uncertainty uncertainty = estimate_uncertainty(objective, minimum);
+        references.push_back({std::move(problem), std::move(objective), std::move(minimum), std::move(uncertainty)});
+    }
+    return references;
+}
+
+}  // namespace
+
+const BenchRung& rung(const BenchResult& result, std::string_view name) {
+    const auto found = std::ranges::find(result.rungs, name, &BenchRung::name);
+    assert(found != result.rungs.end());
+    return *found;
+}
+
+BenchResult measure_ladder(const BenchSizes& sizes) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 2);
+    const Stopwatch whole;
+    const BenchWork work = bench_work(sizes.spectra, sizes.rays);
+    const FitProblem& problem = work.problem;
+    BenchResult result{};
+    result.sizes = sizes;
+    result.machine = machine_name();
+    result.compiler = "g++ " __VERSION__;
+
+    const Stopwatch building;
+    const Emulator emulator = Emulator::build(emulator_domain(problem));
+    result.build = building.elapsed();
+    result.certified_error = emulator.certified_error();
+    const PathEnsemble ensemble = recorded(problem);
+    const ForwardModel solver = angular_solver(problem.experiment);
+    const std::size_t solved = std::min(sizes.spectra, sizes.solver_spectra);
+
+    const LeanFitter fitter(problem, emulator);
+    const TimedFits lean = timed_fits(work, sizes.spectra, [&](const FitProblem& each) {
+        const Eigen::Map<const Eigen::VectorXd> measured(each.measured.data(),
+                                                         static_cast<Index>(each.measured.size()));
+        const BulkFit fit = fitter.fit(measured);
+        return TimedFit{.values = fit.values, .chi2 = fit.chi2, .evaluations = fit.evaluations};
+    });
+    const TimedFits emulated = timed_fits(work, sizes.spectra, [&](const FitProblem& each) {
+        return fit_as_configured(each, emulator, emulator, work.configuration.starts);
+    });
+    const TimedFits once =
+        timed_fits(work, sizes.spectra, [&](const FitProblem& each) { return fit_once(each, ensemble); });
+    constexpr std::uint64_t few_rays = 3000;  // as `fit_spectrum`
+    const PathEnsemble few = ensemble.with_about(few_rays);
+    const TimedFits configured = timed_fits(work, solved, [&](const FitProblem& each) {
+        return fit_as_configured(each, ensemble, few, work.configuration.starts);
+    });
+    const TimedFits by_solver =
+        timed_fits(work, solved, [&](const FitProblem& each) { return fit_once(each, solver); });
+
+    const FitProblem first = problem_of(work, 0);
+    const BruteForce brute = fit_by_brute_force(first, sizes.brute_force_evaluations);
+    const Objective first_objective(first, ensemble);
+    const int needed = minimise_by_nlopt(first_objective, Solver::bobyqa, starts(first)).evaluations;
+    result.brute_force_timed = brute.evaluations;
+    result.brute_force_evaluation = {.wall_s = brute.duration.wall_s / brute.evaluations,
+                                     .cpu_s = brute.duration.cpu_s / brute.evaluations};
+    const TimedFits extrapolated = {{.values = {},
+                                     .chi2 = brute.chi2,
+                                     .evaluations = needed,
+                                     .duration = {.wall_s = result.brute_force_evaluation.wall_s * needed,
+                                                  .cpu_s = result.brute_force_evaluation.cpu_s * needed}}};
+
+    const double recording_mb = static_cast<double>(ensemble.recording().lengths.size_bytes()) / megabyte;
+    result.rungs = {
+        rung_of("brute_force", "analog walk traced anew at every evaluation, BOBYQA; extrapolated", extrapolated, 0.0),
+        rung_of("paths", "recorded paths, one search by Ceres", once, recording_mb),
+        rung_of("paths_as_fit", "recorded paths, as `skinfit fit` searches", configured, recording_mb),
+        rung_of("solver", "angular solver, one search by Ceres", by_solver, 0.0),
+        rung_of("emulator_as_fit", "emulator, as `skinfit fit` searches", emulated, megabytes_of(emulator)),
+        rung_of("emulator", "emulator, lean fit of one spectrum (fit/bulk)", lean, megabytes_of(emulator))};
+    const std::vector<Reference> references =
+        references_of(work, solver, solved, {lean, emulated, once, configured, by_solver});
+    const std::vector<const TimedFits*> in_order = {&once, &configured, &by_solver, &emulated, &lean};
+    for (std::size_t i = 0; i < in_order.size(); ++i) {
+        result.rungs[i + 1].accuracy = accuracy_of(*in_order[i], references);
+    }
+    measure_threads(work, ensemble, emulator, result);
+    result.peak_mb = peak_memory_mb();
+    result.whole = whole.elapsed();
+    return result;
+}
+
+}  // namespace skinfit
