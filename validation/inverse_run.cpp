@@ -33,7 +33,7 @@ Configuration study_configuration() {
     const auto bound = [&](Parameter parameter, const Bounds& bounds) {
         configuration.bounds[static_cast<std::size_t>(parameter)] = bounds;
     };
-    bound(Parameter::melanosome_fraction, {0.013, 0.43});       // light to dark [KA04]
+    bound(Parameter::melanosome_fraction, {0.01, 0.08});        // not too dark for its blood to show
     bound(Parameter::papillary_blood_fraction, {0.002, 0.07});  // [KA04]
     bound(Parameter::reticular_blood_fraction, {0.002, 0.07});  // [KA04]
     return configuration;

@@ -6,8 +6,8 @@
 
 namespace skinfit {
 
-/// The default of a recovery study: the default fit by the emulator with a noise of 0.003, pigments within the ranges of
-/// living skin [KA04], uniform priors.
+/// The default of a recovery study: the default fit by the emulator with a noise of 0.003, uniform priors, blood
+/// within the range of living skin [KA04], and not so much melanin that it hides the blood.
 [[nodiscard]] Configuration study_configuration();
 
 /// A recovery study and the parameters that it is about.
