@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <system_error>
 
 #include "app/commands.hpp"
 #include "app/shared_options.hpp"
@@ -47,16 +46,6 @@ std::vector<Figure> chosen_figures(const std::string& names) {
     return chosen;
 }
 
-void make_folder(const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (!error && std::filesystem::is_directory(folder) && ::access(folder.c_str(), W_OK) == 0) return;
-    throw InputError({.where = fmt::format("--output {}", folder.string()),
-                      .problem = "no folder that can be written",
-                      .why = error ? error.message() : "it is a file or not ours to write",
-                      .remedy = "name another folder"});
-}
-
 FigureOptions options_of(const ValidateCommand& command) {
     FigureOptions options{.rays = {}, .seed = {}, .shared_folder = command.shared};
     const auto read = [](const char* key, const std::string& text) {
@@ -78,7 +67,7 @@ void write_figure(const FigureResult& result, const std::filesystem::path& folde
 int run(const ValidateCommand& command) {
     const std::vector<Figure> figures = chosen_figures(command.figures);
     const FigureOptions options = options_of(command);
-    make_folder(command.output);
+    make_output_folder(command.output);
     SharedOptions shared;
     shared.threads = command.threads;
     const auto limit = thread_limit(shared);
@@ -99,8 +88,10 @@ int run(const ValidateCommand& command) {
 
 void add_validate_command(CLI::App& app, int& exit_code) {
     const auto command = std::make_shared<ValidateCommand>();
-    CLI::App* const validate = app.add_subcommand("validate", "hold the model against what has been published");
+    CLI::App* const validate =
+        app.add_subcommand("validate", "hold the model against what has been published, and fits against the truth");
     validate->require_subcommand(1);
+    add_validate_inverse_command(*validate, exit_code);
     CLI::App* const forward = validate->add_subcommand("forward", "the figures of the model's paper, and their claims");
     forward->add_option("--output", command->output, "folder for a table and two pictures per figure, and summary.json")
         ->type_name("FOLDER")

@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <system_error>
 
 #include "core/file.hpp"
 #include "core/input_error.hpp"
@@ -83,6 +84,16 @@ EnsembleCache cache_from(const SharedOptions& options) {
                 [](const std::string& text) {
                     if (::isatty(STDERR_FILENO) != 0) fmt::print(stderr, "{} ...\n", text);
                 }};
+}
+
+void make_output_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!error && std::filesystem::is_directory(folder) && ::access(folder.c_str(), W_OK) == 0) return;
+    throw InputError({.where = fmt::format("--output {}", folder.string()),
+                      .problem = "no folder that can be written",
+                      .why = error ? error.message() : "it is a file or not ours to write",
+                      .remedy = "name another folder"});
 }
 
 std::unique_ptr<tbb::global_control> thread_limit(const SharedOptions& options) {

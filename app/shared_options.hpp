@@ -40,6 +40,9 @@ void add_shared_options(CLI::App& command, SharedOptions& options, const std::ve
 /// The cache for recorded walks as the options ask for; its messages go to stderr.
 [[nodiscard]] EnsembleCache cache_from(const SharedOptions& options);
 
+/// Makes the folder of --output where there is none. Throws InputError where that is no folder that can be written.
+void make_output_folder(const std::filesystem::path& folder);
+
 /// Limits the number of threads for as long as it lives.
 [[nodiscard]] std::unique_ptr<tbb::global_control> thread_limit(const SharedOptions& options);
 

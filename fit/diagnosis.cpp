@@ -41,14 +41,20 @@ void judge_misfit(const FitResult& result, std::vector<std::string>& reasons) {
 void judge_runs(const FitResult& result, std::vector<std::string>& reasons) {
     // Runs this improbable hold four values or more, which makes a departure count twice: below half the noise it is
     // harmless.
-    constexpr double harmless_share = 0.25;
-    if (!result.runs_p_value || *result.runs_p_value >= improbable) return;
-    if (result.chi2 < harmless_share * result.degrees_of_freedom) return;
+    constexpr double harmless = 0.5;
+    if (!result.runs_p_value || *result.runs_p_value >= improbable || result.unexplained < harmless) return;
+    const std::optional<Discrepancy>& discrepancy = result.configuration.discrepancy;
     reasons.push_back(
-        fmt::format("RESIDUALS IN RUNS: they change sign too rarely for noise that is independent from wavelength to "
-                    "wavelength (p = {:.1g}), so the model departs smoothly and sigmas are too small; set discrepancy, "
-                    "or free a parameter that may be missing",
-                    *result.runs_p_value));
+        discrepancy
+            ? fmt::format("RESIDUALS IN RUNS: what a discrepancy of {:g} over {:g} nm leaves of them changes sign too "
+                          "rarely for noise that is independent from wavelength to wavelength (p = {:.1g}), so the "
+                          "model departs by more or in narrower bends; set a larger sigma or a shorter length_nm of "
+                          "the discrepancy, or free a parameter that may be missing",
+                          discrepancy->sigma, discrepancy->length_nm, *result.runs_p_value)
+            : fmt::format("RESIDUALS IN RUNS: they change sign too rarely for noise that is independent from "
+                          "wavelength to wavelength (p = {:.1g}), so the model departs smoothly and sigmas are too "
+                          "small; set discrepancy, or free a parameter that may be missing",
+                          *result.runs_p_value));
 }
 
 void judge_minima(const FitResult& result, std::vector<std::string>& reasons) {

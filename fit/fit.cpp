@@ -22,36 +22,31 @@
 namespace skinfit {
 namespace {
 
-/// An approximation that costs a small part of `model`: a few of the recorded rays, or a coarser grid of angles; the
-/// emulator is cheap itself.
-ForwardModel cheap_model(const FitProblem& problem, const ForwardModel& model) {
-    constexpr std::uint64_t few_rays = 3000;
-    if (const auto* const ensemble = std::get_if<PathEnsemble>(&model)) return ensemble->with_about(few_rays);
-    if (std::holds_alternative<Emulator>(model)) return model;
-    return angular_solver(problem.experiment, AngularResolution::for_accuracy(1e-3));
-}
-
 /// The minima that one solver finds, and how long it took.
 struct Search {
     std::vector<DistinctMinimum> minima;
     double seconds;
 };
 
-Search search(const Objective& cheap, const Objective& objective, Solver solver, std::uint64_t count) {
+Search search(const Objective& cheap, const Objective& objective, Solver solver, std::uint64_t count,
+              const SearchLimits& limits = {}) {
     const auto begin = std::chrono::steady_clock::now();
-    std::vector<DistinctMinimum> minima = distinct_minima(cheap, objective, solver, count);
+    std::vector<DistinctMinimum> minima = distinct_minima(cheap, objective, solver, count, limits);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     return {.minima = std::move(minima), .seconds = elapsed.count()};
 }
 
-/// Of each other solver, from the configured start.
+/// Of each other solver, from the configured start. The angular solver takes so long that methods without derivatives
+/// are stopped after a few seconds' worth of evaluations; their answers stand as they are.
 std::vector<SolverAnswer> other_answers(const Objective& cheap, const Objective& objective,
                                         const Configuration& configuration) {
+    SearchLimits limits;
+    if (configuration.engine == Engine::solver) limits = {.cheap_evaluations = 600, .evaluations = 60};
     std::vector<SolverAnswer> answers;
     for (std::size_t i = 0; i < solver_count; ++i) {
         const auto solver = static_cast<Solver>(i);
         if (solver == configuration.solver) continue;
-        Search other = search(cheap, objective, solver, 1);
+        Search other = search(cheap, objective, solver, 1, limits);
         answers.push_back(
             {.solver = solver, .minimum = std::move(other.minima.front().minimum), .seconds = other.seconds});
     }
@@ -124,6 +119,13 @@ ForwardModel make_model(const FitProblem& problem, Engine engine, const Ensemble
                            problem.walk, cache);
 }
 
+ForwardModel cheap_model(const FitProblem& problem, const ForwardModel& model) {
+    constexpr std::uint64_t few_rays = 3000;
+    if (const auto* const ensemble = std::get_if<PathEnsemble>(&model)) return ensemble->with_about(few_rays);
+    if (std::holds_alternative<Emulator>(model)) return model;
+    return angular_solver(problem.experiment, AngularResolution::for_accuracy(1e-3));
+}
+
 double median(std::vector<double> values) {
     if (values.empty()) return 0.0;
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -172,8 +174,9 @@ FitResult fit_spectrum(const Configuration& configuration, const Spectrum& spect
     result.cost = minimum.cost;
     result.degrees_of_freedom = degrees_of_freedom(objective, minimum);
     result.p_value = chi2_p_value(result.chi2, result.degrees_of_freedom);
-    const Eigen::VectorXd residuals = objective.residuals(modelled.reading);
+    const Eigen::VectorXd residuals = objective.unexplained(modelled.reading);
     result.runs_p_value = runs_p_value({residuals.data(), static_cast<std::size_t>(residuals.size())});
+    result.unexplained = std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size()));
     result.median_sigma = median(problem.sigma);
     if (const auto* const emulator = std::get_if<Emulator>(&model)) {
         result.emulator_error = emulator->certified_error();
@@ -190,7 +193,8 @@ FitResult fit_spectrum(const Configuration& configuration, const Spectrum& spect
     result.priors = priors_in_words(problem);
     result.answer = {.solver = complete.solver, .minimum = minimum, .seconds = found.seconds};
     if (options.cross_check) result.cross_check = other_answers(cheap, objective, complete);
-    result.minima = std::move(found.minima);
+    if (inference.profile && inference.profile->better_minimum) found.minima.push_back({.minimum = minimum});
+    result.minima = distinct(objective, std::move(found.minima));
     result.configuration = complete;
     const Diagnosis diagnosis = diagnose(result);
     result.verdict = diagnosis.verdict;

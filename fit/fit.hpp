@@ -23,6 +23,10 @@ struct FitOptions {
 /// What computes the light of `problem`: walks, recorded now or kept by `cache`, or the angular solver.
 [[nodiscard]] ForwardModel make_model(const FitProblem& problem, Engine engine, const EnsembleCache& cache);
 
+/// An approximation that costs a small part of `model`: a few of the recorded rays, or a coarser grid of angles; the
+/// emulator is cheap itself.
+[[nodiscard]] ForwardModel cheap_model(const FitProblem& problem, const ForwardModel& model);
+
 /// The median of `values`; 0 of none.
 [[nodiscard]] double median(std::vector<double> values);
 

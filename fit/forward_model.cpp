@@ -67,7 +67,7 @@ const AngularShare& share_of(const AngularResponse& response, Side side) {
 EscapedLight solved_light(const AngularSolver& solver, double wavelength_nm, Side side,
                           std::span<const Parameter> parameters) {
     constexpr double half_step_nm = 0.05;
-    const AngularResponse response = solver.respond(wavelength_nm);
+    const AngularResponse response = parameters.empty() ? solver.shares(wavelength_nm) : solver.respond(wavelength_nm);
     const AngularShare& share = share_of(response, side);
     const auto columns = static_cast<Index>(parameters.size());
     EscapedLight light{.surface = response.surface.share,

@@ -18,6 +18,7 @@ using Eigen::VectorXd;
 }  // namespace
 
 double prior_sigma(const FreeParameter& free) {
+    if (free.prior) return standard_deviation(*free.prior, free.bounds);
     return (free.bounds.upper - free.bounds.lower) / std::sqrt(12.0);
 }
 

@@ -27,7 +27,7 @@ struct Identifiability {
     std::vector<double> shrinkage;
 };
 
-/// The standard deviation of a parameter without a spectrum.
+/// The standard deviation of a parameter without a spectrum: of its prior, or of a uniform one, within its bounds.
 [[nodiscard]] double prior_sigma(const FreeParameter& free);
 
 /// From the derivatives of the data's residuals, in sigmas, by the free parameters.

@@ -37,6 +37,8 @@ void use_profile(const Objective& objective, Inference& inference) {
         inference.minimum.values = values_at(problem, inference.profile->minimum);
         inference.minimum.chi2 = objective.chi2(inference.minimum.values);
         inference.minimum.cost = objective.misfit(inference.minimum.values).cost();
+        inference.minimum.evaluations += inference.profile->evaluations;
+        inference.minimum.converged = expected_gain(objective, inference.minimum.values) < negligible_gain;
         inference.uncertainty = estimate_uncertainty(objective, inference.minimum);
     }
     for (std::size_t i = 0; i < problem.free.size(); ++i) {
@@ -75,9 +77,8 @@ void use_posterior(const Objective& objective, std::uint64_t seed, Inference& in
     inference.posterior = in_values(positions, problem.free);
     for (std::size_t i = 0; i < problem.free.size(); ++i) {
         const Marginal& marginal = inference.posterior->marginals[i];
-        const Bounds& bounds = problem.free[i].bounds;
-        const double prior_variance = (bounds.upper - bounds.lower) * (bounds.upper - bounds.lower) / 12.0;
-        const double shrinkage = 1.0 - marginal.sigma * marginal.sigma / prior_variance;
+        const double relative = marginal.sigma / prior_sigma(problem.free[i]);
+        const double shrinkage = 1.0 - relative * relative;
         inference.identifiability.shrinkage[i] = shrinkage;
         ParameterUncertainty& row = inference.uncertainty.parameters[i];
         row = with_interval(row, {marginal.lower, marginal.upper}, shrinkage >= 0.5);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlopt.hpp>
 
 #include "fit/minimum.hpp"
@@ -10,6 +11,7 @@ namespace {
 /// What the objective needs behind NLopt's plain function pointer.
 struct Counter {
     const Objective* objective;
+    int most_evaluations;  ///< of all methods together
     int evaluations = 0;
 };
 
@@ -19,16 +21,19 @@ double cost_at(const std::vector<double>& positions, std::vector<double>& gradie
     auto* const counter = static_cast<Counter*>(data);
     ++counter->evaluations;
     const FitProblem& problem = counter->objective->problem();
-    const Misfit misfit = counter->objective->misfit(from_unit_box(problem, positions));
+    const std::vector<double> values = from_unit_box(problem, positions);
+    if (gradient.empty()) {
+        const double cost = counter->objective->cost(values);
+        return std::isfinite(cost) ? cost : forbidding;
+    }
+    const Misfit misfit = counter->objective->misfit(values);
     if (!misfit.residual.allFinite()) {
         std::ranges::fill(gradient, 0.0);
         return forbidding;
     }
-    if (!gradient.empty()) {
-        const std::vector<double> slopes = unit_box_slopes(problem, positions);
-        const Eigen::VectorXd by_value = 2.0 * misfit.jacobian.transpose() * misfit.residual;
-        std::ranges::transform(by_value, slopes, gradient.begin(), std::multiplies<>());
-    }
+    const std::vector<double> slopes = unit_box_slopes(problem, positions);
+    const Eigen::VectorXd by_value = 2.0 * misfit.jacobian.transpose() * misfit.residual;
+    std::ranges::transform(by_value, slopes, gradient.begin(), std::multiplies<>());
     return misfit.cost();
 }
 
@@ -43,7 +48,7 @@ std::string words(nlopt::result result) {
         case nlopt::XTOL_REACHED:
             return "steps below the tolerance";
         case nlopt::MAXEVAL_REACHED:
-            return "out of evaluations";
+            return out_of_evaluations;
         case nlopt::MAXTIME_REACHED:
             return "out of time";
         default:
@@ -69,7 +74,9 @@ std::string run(nlopt::algorithm algorithm, const Stopping& stopping, Counter& c
     solver.set_initial_step(0.05);
     solver.set_xtol_abs(stopping.step);
     solver.set_ftol_rel(stopping.relative_change);
-    solver.set_maxeval(stopping.evaluations_per_parameter * static_cast<int>(count));
+    const int left = counter.most_evaluations - counter.evaluations;
+    if (left <= 0) return out_of_evaluations;
+    solver.set_maxeval(std::min(stopping.evaluations_per_parameter * static_cast<int>(count), left));
     double cost = 0.0;
     try {
         return words(solver.optimize(positions, cost));
@@ -88,9 +95,12 @@ std::string run_bobyqa(Counter& counter, std::vector<double>& positions) {
 
 }  // namespace
 
-Minimum minimise_by_nlopt(const Objective& objective, Solver solver, std::span<const double> start) {
+Minimum minimise_by_nlopt(const Objective& objective, Solver solver, std::span<const double> start,
+                          std::optional<int> most_evaluations) {
     std::vector<double> positions = to_unit_box(objective.problem(), start);
-    Counter counter{&objective};
+    const bool has_derivatives = solver == Solver::slsqp;
+    constexpr int unlimited = std::numeric_limits<int>::max();
+    Counter counter{&objective, has_derivatives ? unlimited : most_evaluations.value_or(unlimited)};
     std::string termination;
     if (solver == Solver::sbplx) {
         termination = run(nlopt::LN_SBPLX, {.step = 1e-6, .relative_change = 1e-9, .evaluations_per_parameter = 600},

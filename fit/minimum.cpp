@@ -44,8 +44,10 @@ Minimum concluded(const Objective& objective, std::span<const double> positions,
     return minimum;
 }
 
-Minimum minimise(const Objective& objective, Solver solver, std::span<const double> start) {
-    return solver == Solver::ceres ? minimise_by_ceres(objective, start) : minimise_by_nlopt(objective, solver, start);
+Minimum minimise(const Objective& objective, Solver solver, std::span<const double> start,
+                 std::optional<int> most_evaluations) {
+    return solver == Solver::ceres ? minimise_by_ceres(objective, start)
+                                   : minimise_by_nlopt(objective, solver, start, most_evaluations);
 }
 
 }  // namespace skinfit

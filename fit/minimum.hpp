@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,6 +31,9 @@ struct Minimum {
 /// A cost that can fall by less moves no parameter by more than a thirtieth of its standard deviation.
 inline constexpr double negligible_gain = 1e-3;
 
+/// The termination of a method that was not given the evaluations to end by itself.
+inline constexpr const char* out_of_evaluations = "out of evaluations";
+
 /// The solvers' conclusion: cost, chi2 and convergence at `positions` in the unit box.
 [[nodiscard]] Minimum concluded(const Objective& objective, std::span<const double> positions, int evaluations,
                                 const std::string& termination);
@@ -38,10 +42,13 @@ inline constexpr double negligible_gain = 1e-3;
 [[nodiscard]] Minimum minimise_by_ceres(const Objective& objective, std::span<const double> start);
 
 /// Minimises the cost from `start` by a method of NLopt: BOBYQA [POWELL09], SBPLX [ROWAN90], SLSQP [KRAFT94], or CRS2
-/// [KAELO06], which takes its random numbers from the problem's seed and is finished by BOBYQA.
-[[nodiscard]] Minimum minimise_by_nlopt(const Objective& objective, Solver solver, std::span<const double> start);
+/// [KAELO06], which takes its random numbers from the problem's seed and is finished by BOBYQA. Stops after about
+/// `most_evaluations`, or where the method's own limit lies.
+[[nodiscard]] Minimum minimise_by_nlopt(const Objective& objective, Solver solver, std::span<const double> start,
+                                        std::optional<int> most_evaluations = {});
 
-/// The same by any solver.
-[[nodiscard]] Minimum minimise(const Objective& objective, Solver solver, std::span<const double> start);
+/// The same by any solver; `most_evaluations` are for methods without derivatives, which need many.
+[[nodiscard]] Minimum minimise(const Objective& objective, Solver solver, std::span<const double> start,
+                               std::optional<int> most_evaluations = {});
 
 }  // namespace skinfit

@@ -64,25 +64,30 @@ std::vector<std::vector<double>> spread_points(std::size_t count, std::size_t di
     return points;
 }
 
+std::vector<DistinctMinimum> distinct(const Objective& objective, std::vector<DistinctMinimum> minima) {
+    return clustered(objective, std::move(minima), {.sigmas = 0.1, .cost = 0.01});
+}
+
 std::vector<DistinctMinimum> distinct_minima(const Objective& cheap, const Objective& objective, Solver solver,
-                                             std::size_t count) {
+                                             std::size_t count, const SearchLimits& limits) {
     const FitProblem& problem = objective.problem();
     // Searches over the cheap model end where its own noise lets them.
     constexpr Tolerance rough{.sigmas = 0.5, .cost = 0.25};
-    constexpr Tolerance fine{.sigmas = 0.1, .cost = 0.01};
-    std::vector<DistinctMinimum> found = {{.minimum = minimise(cheap, solver, starts(problem)), .searches = 1}};
+    std::vector<DistinctMinimum> found = {
+        {.minimum = minimise(cheap, solver, starts(problem), limits.cheap_evaluations), .searches = 1}};
     for (const std::vector<double>& point : spread_points(count - 1, problem.free.size(), problem.walk.seed)) {
-        found.push_back({.minimum = minimise(cheap, solver, from_unit_box(problem, point)), .searches = 1});
+        found.push_back({.minimum = minimise(cheap, solver, from_unit_box(problem, point), limits.cheap_evaluations),
+                         .searches = 1});
     }
-    std::vector<DistinctMinimum> distinct = clustered(cheap, std::move(found), rough);
-    if (distinct.size() > most_finished) distinct.resize(most_finished);
+    std::vector<DistinctMinimum> finished = clustered(cheap, std::move(found), rough);
+    if (finished.size() > most_finished) finished.resize(most_finished);
     const Solver finisher = solver == Solver::crs2 ? Solver::bobyqa : solver;
-    for (DistinctMinimum& each : distinct) {
+    for (DistinctMinimum& each : finished) {
         const int before = each.minimum.evaluations;
-        each.minimum = minimise(objective, finisher, each.minimum.values);
+        each.minimum = minimise(objective, finisher, each.minimum.values, limits.evaluations);
         each.minimum.evaluations += before;
     }
-    return clustered(objective, std::move(distinct), fine);
+    return distinct(objective, std::move(finished));
 }
 
 }  // namespace skinfit

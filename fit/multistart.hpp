@@ -17,11 +17,21 @@ struct DistinctMinimum {
 [[nodiscard]] std::vector<std::vector<double>> spread_points(std::size_t count, std::size_t dimensions,
                                                              std::uint64_t seed);
 
+/// `minima` of `objective` without repetitions, best first: two are one where the data cannot tell them apart, their
+/// linearised residuals differ by less than 0.1 sigma in all and their costs by less than 0.01.
+[[nodiscard]] std::vector<DistinctMinimum> distinct(const Objective& objective, std::vector<DistinctMinimum> minima);
+
+/// What a search by a method without derivatives may cost; unset: as much as it wants.
+struct SearchLimits {
+    std::optional<int> cheap_evaluations;  ///< of each search
+    std::optional<int> evaluations;        ///< for finishing a minimum
+};
+
 /// Minimises from `count` starts: the problem's, and points spread over its bounds. Each search goes over `cheap`, an
 /// approximation of `objective` on the same problem; the best distinct minima found there are then finished on
-/// `objective`. Two minima are one where the data cannot tell them apart: their linearised residuals differ by less
-/// than 0.1 sigma in all and their costs by less than 0.01. Best first; never empty. Evaluations are those of both.
+/// `objective`. Best first; never empty. Evaluations are those of both.
 [[nodiscard]] std::vector<DistinctMinimum> distinct_minima(const Objective& cheap, const Objective& objective,
-                                                           Solver solver, std::size_t count);
+                                                           Solver solver, std::size_t count,
+                                                           const SearchLimits& limits = {});
 
 }  // namespace skinfit

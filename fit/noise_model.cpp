@@ -41,4 +41,10 @@ Eigen::MatrixXd NoiseModel::whiten(const Eigen::MatrixXd& changes) const {
     return factor_.triangularView<Eigen::Lower>().solve(changes);
 }
 
+Eigen::VectorXd NoiseModel::unexplained(const Eigen::VectorXd& differences) const {
+    if (factor_.size() == 0) return sigma_.cwiseInverse().asDiagonal() * differences;
+    const Eigen::VectorXd whitened = factor_.triangularView<Eigen::Lower>().solve(differences);
+    return sigma_.asDiagonal() * factor_.triangularView<Eigen::Lower>().transpose().solve(whitened);
+}
+
 }  // namespace skinfit

@@ -22,6 +22,11 @@ public:
     /// The inverse Cholesky factor of the covariance times `changes` (wavelengths x any): white, of unit variance.
     [[nodiscard]] Eigen::MatrixXd whiten(const Eigen::MatrixXd& changes) const;
 
+    /// What the departure does not explain of `differences` between model and measurement, in sigmas of the noise:
+    /// differences less the posterior mean of the departure given them, S (K + S)^-1 differences with S the noise and K
+    /// the kernel [RASMUSSEN06, Eq. 2.23].
+    [[nodiscard]] Eigen::VectorXd unexplained(const Eigen::VectorXd& differences) const;
+
 private:
     Eigen::VectorXd sigma_;
     Eigen::MatrixXd factor_;  // lower Cholesky factor of the covariance; empty where it is diagonal

@@ -41,6 +41,21 @@ Objective::Modelled Objective::model(std::span<const double> values) const {
     return modelled;
 }
 
+Eigen::VectorXd Objective::readings_of(const Experiment& experiment) const {
+    const Quantity quantity = problem_->quantity;
+    const std::vector<EscapedLight> lights =
+        light_of(model_, experiment, measured_side(quantity), problem_->wavelength_nm, {});
+    Eigen::VectorXd readings(static_cast<Row>(lights.size()));
+    for (Row row = 0; row < readings.size(); ++row) {
+        readings[row] = reading(lights[static_cast<std::size_t>(row)], experiment, quantity);
+    }
+    return readings;
+}
+
+Eigen::VectorXd Objective::readings(std::span<const double> values) const {
+    return readings_of(with(values));
+}
+
 std::size_t Objective::residual_count() const {
     const auto on_parameters =
         std::ranges::count_if(problem_->free, [](const FreeParameter& free) { return free.prior.has_value(); });
@@ -97,6 +112,10 @@ Eigen::VectorXd Objective::residuals(const Eigen::VectorXd& reading) const {
     return noise_.whiten(differences(reading));
 }
 
+Eigen::VectorXd Objective::unexplained(const Eigen::VectorXd& reading) const {
+    return noise_.unexplained(differences(reading));
+}
+
 Eigen::MatrixXd Objective::residual_changes(const Eigen::VectorXd& reading, const Eigen::MatrixXd& changes) const {
     Eigen::MatrixXd whitened = weighted_and_whitened(changes);
     if (problem_->loss == Loss::squares) return whitened;
@@ -108,7 +127,22 @@ Eigen::MatrixXd Objective::residual_changes(const Eigen::VectorXd& reading, cons
 }
 
 double Objective::chi2(std::span<const double> values) const {
-    return residuals(model(values).reading).squaredNorm();
+    return residuals(readings(values)).squaredNorm();
+}
+
+double Objective::cost(std::span<const double> values) const {
+    const Experiment experiment = with(values);
+    double sum = 0.0;
+    const auto add = [&sum](double residual) { sum += residual * residual; };
+    const Eigen::VectorXd hard = weighted_and_whitened(differences(readings_of(experiment)));
+    for (const double residual : hard) add(softened(residual, problem_->loss, problem_->loss_scale).value);
+    for (const FreeParameter& free : problem_->free) {
+        if (free.prior) add(prior_residual(*free.prior, value_of(experiment.values, free.parameter)).value);
+    }
+    for (const DerivedPrior& derived : problem_->derived_priors) {
+        add(prior_residual(derived.prior, derived_value(derived.quantity, experiment.values)).value);
+    }
+    return sum;
 }
 
 Eigen::MatrixXd Objective::batch_readings(std::span<const double> values) const {

@@ -40,6 +40,9 @@ public:
     };
     [[nodiscard]] Modelled model(std::span<const double> values) const;
 
+    /// The same readings without their derivatives.
+    [[nodiscard]] Eigen::VectorXd readings(std::span<const double> values) const;
+
     /// All residuals at values of the free parameters, and their derivatives: one per wavelength (whitened by the noise
     /// model, weighted, softened by the loss), then one per prior. Whatever minimises or estimates uncertainty uses
     /// this. A residual is infinite where a prior has no density.
@@ -48,6 +51,9 @@ public:
     /// (modelled - measured) of a reading, whitened by the noise model: of unit variance where the model is right.
     [[nodiscard]] Eigen::VectorXd residuals(const Eigen::VectorXd& reading) const;
 
+    /// The same differences less what the discrepancy explains of them: `NoiseModel::unexplained`.
+    [[nodiscard]] Eigen::VectorXd unexplained(const Eigen::VectorXd& reading) const;
+
     /// What small changes of `reading` (wavelengths x any) make of the data's part of `Misfit::residual`.
     [[nodiscard]] Eigen::MatrixXd residual_changes(const Eigen::VectorXd& reading,
                                                    const Eigen::MatrixXd& changes) const;
@@ -55,10 +61,14 @@ public:
     /// The sum of the squares of `residuals` at values of the free parameters: without weights, loss and priors.
     [[nodiscard]] double chi2(std::span<const double> values) const;
 
+    /// `Misfit::cost` without the work of derivatives; infinite where a prior has no density.
+    [[nodiscard]] double cost(std::span<const double> values) const;
+
     /// The reading as each batch of the ensemble alone gives it: wavelengths x batches; no columns without an ensemble.
     [[nodiscard]] Eigen::MatrixXd batch_readings(std::span<const double> values) const;
 
 private:
+    [[nodiscard]] Eigen::VectorXd readings_of(const Experiment& experiment) const;
     [[nodiscard]] Experiment with(std::span<const double> values) const;
 
     [[nodiscard]] Eigen::MatrixXd weighted_and_whitened(const Eigen::MatrixXd& changes) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/normal.hpp>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/special_functions/log1p.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
@@ -72,6 +73,19 @@ double share_below(const BetaPrior& prior, double x) {
     return boost::math::cdf(boost::math::beta_distribution<double>(prior.a, prior.b), std::clamp(x, 0.0, 1.0));
 }
 
+double quantile_of(const NormalPrior& prior, double share) {
+    return boost::math::quantile(boost::math::normal_distribution<double>(prior.mean, prior.sigma), share);
+}
+
+double quantile_of(const LogNormalPrior& prior, double share) {
+    return prior.median *
+           std::exp(prior.sigma_log * boost::math::quantile(boost::math::normal_distribution<double>(), share));
+}
+
+double quantile_of(const BetaPrior& prior, double share) {
+    return boost::math::quantile(boost::math::beta_distribution<double>(prior.a, prior.b), share);
+}
+
 Bounds support_of(const NormalPrior& /*prior*/) {
     return {-infinite, infinite};
 }
@@ -114,6 +128,39 @@ double mode(const Prior& prior) {
 double mass_within(const Prior& prior, const Bounds& bounds) {
     return std::visit(
         [&bounds](const auto& kind) { return share_below(kind, bounds.upper) - share_below(kind, bounds.lower); },
+        prior);
+}
+
+double standard_deviation(const Prior& prior, const Bounds& bounds) {
+    // About the mode, and on either side of it, so that a narrow density is not overlooked.
+    const double centre = std::clamp(mode(prior), bounds.lower, bounds.upper);
+    const auto moment = [&](int power) {
+        const auto weighted = [&](double x) {
+            const double residual = prior_residual(prior, x).value;
+            return std::pow(x - centre, power) * std::exp(-0.5 * residual * residual);
+        };
+        constexpr unsigned halvings = 15;
+        constexpr double tolerance = 1e-6;  // relative
+        double sum = 0.0;
+        for (const Bounds& side : {Bounds{bounds.lower, centre}, Bounds{centre, bounds.upper}}) {
+            if (side.lower == side.upper) continue;
+            sum += boost::math::quadrature::gauss_kronrod<double, 31>::integrate(weighted, side.lower, side.upper,
+                                                                                 halvings, tolerance);
+        }
+        return sum;
+    };
+    const double mass = moment(0);
+    const double mean = moment(1) / mass;
+    return std::sqrt(moment(2) / mass - mean * mean);
+}
+
+double quantile_within(const Prior& prior, const Bounds& bounds, double share) {
+    return std::visit(
+        [&](const auto& kind) {
+            const double below = share_below(kind, bounds.lower);
+            const double within = share_below(kind, bounds.upper) - below;
+            return std::clamp(quantile_of(kind, below + share * within), bounds.lower, bounds.upper);
+        },
         prior);
 }
 

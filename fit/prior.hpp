@@ -25,6 +25,13 @@ struct Residual {
 /// The probability that `prior` gives to values within `bounds`.
 [[nodiscard]] double mass_within(const Prior& prior, const Bounds& bounds);
 
+/// The standard deviation of `prior` within `bounds`.
+[[nodiscard]] double standard_deviation(const Prior& prior, const Bounds& bounds);
+
+/// The value within `bounds` below which `prior` has the share `share` of its probability there: of a uniform number,
+/// a draw.
+[[nodiscard]] double quantile_within(const Prior& prior, const Bounds& bounds, double share);
+
 /// The part of `bounds` in which a fit can move: an end at which the density is zero and the residual infinite is
 /// replaced by the value where the density has fallen to exp(-32) of its largest, at a residual of 8.
 [[nodiscard]] Bounds within_support(const Prior& prior, const Bounds& bounds);

@@ -93,6 +93,7 @@ Json json_report(const FitResult& result) {
                  {"degrees_of_freedom", result.degrees_of_freedom},
                  {"p_value", or_null(result.p_value)},
                  {"runs_p_value", or_null(result.runs_p_value)},
+                 {"unexplained_sigmas", result.unexplained},
                  {"monte_carlo_error", result.monte_carlo_error},
                  {"emulator_error", or_null(result.emulator_error)},
                  {"parameters", parameters_json(result)},

@@ -115,7 +115,9 @@ std::string solver_line(const FitResult& result, const SolverAnswer& answer) {
     named.solver = answer.solver;
     return fmt::format("  {:<8}{:>14.8g}{:>20}{:>14}{:>10.2f}  {}\n", to_json(named)["solver"].get<std::string>(),
                        answer.minimum.cost, away(result, answer.minimum), answer.minimum.evaluations, answer.seconds,
-                       answer.minimum.converged ? "converged" : "NOT CONVERGED");
+                       answer.minimum.converged                           ? "converged"
+                       : answer.minimum.termination == out_of_evaluations ? "stopped: out of evaluations"
+                                                                          : "NOT CONVERGED");
 }
 
 std::string cross_check_text(const FitResult& result) {

@@ -46,8 +46,10 @@ struct FitResult {
     /// The expectation of chi2 where model, noise and priors are right: wavelengths minus parameters as far as the data
     /// determine them, which without priors is all of them.
     double degrees_of_freedom = 0.0;
-    std::optional<double> p_value;            ///< of chi2; none without degrees of freedom
-    std::optional<double> runs_p_value;       ///< that the residuals change sign as rarely: `runs_p_value`
+    std::optional<double> p_value;       ///< of chi2; none without degrees of freedom
+    std::optional<double> runs_p_value;  ///< that the unexplained residuals change sign as rarely
+    /// Root mean square of the residuals, less what the discrepancy explains of them, in sigmas of the noise.
+    double unexplained = 0.0;
     double median_sigma = 0.0;                ///< of the measurement
     double monte_carlo_error = 0.0;           ///< median standard error of the modelled reading
     std::optional<double> emulator_error;     ///< largest, certified, of the share that leaves; engine emulator only

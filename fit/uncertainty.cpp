@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/identifiability.hpp"
+
 namespace skinfit {
 namespace {
 
@@ -87,6 +89,12 @@ VectorXd monte_carlo_sigmas(const Objective& objective, const Minimum& minimum, 
     return (changes.rowwise().squaredNorm() / (batches * (batches - 1.0))).cwiseSqrt();
 }
 
+/// At this standard deviation spectrum and bounds, or spectrum and prior, say as much as each other. That of the
+/// spectrum comes alone or, where there is a prior, with the prior's.
+double largest_sigma(const FreeParameter& free) {
+    return free.prior ? prior_sigma(free) / std::sqrt(2.0) : prior_sigma(free);
+}
+
 /// Which parameters are pressed against a bound, and which move freely.
 struct Split {
     std::vector<Status> statuses;
@@ -163,7 +171,7 @@ Uncertainty estimate_uncertainty(const Objective& objective, const Minimum& mini
         const double relative_sigma = std::sqrt(inverse.covariance(next_inner, next_inner));
         const double relative_monte_carlo = monte_carlo[next_inner];
         ++next_inner;
-        uncertainty.parameters.push_back(relative_sigma >= 1.0
+        uncertainty.parameters.push_back(relative_sigma * unit >= largest_sigma(free[i])
                                              ? not_identifiable(free[i].bounds)
                                              : inner_uncertainty(minimum.values[i], relative_sigma * unit,
                                                                  relative_monte_carlo * unit, free[i].bounds));

@@ -33,8 +33,9 @@ struct Uncertainty {
 /// A parameter at a bound, with the cost rising into the box, is taken out of the covariance; its 95 % limit is where
 /// the linearised cost, minimised over the others, has risen by 2.71. A parameter whose standard deviation is not below
 /// that of a uniform distribution over its bounds, width / sqrt(12), or whose limit at one bound lies beyond the other,
-/// is not identifiable: the data say less than the bounds do; its interval is the bounds. The others have sigma, and
-/// intervals of 1.96 sigma cut at the bounds.
+/// is not identifiable: the data say less than the bounds do; its interval is the bounds. Where a parameter has a prior
+/// of its own, its standard deviation with the spectrum must be below 1/sqrt(2) of that without. The others have sigma,
+/// and intervals of 1.96 sigma cut at the bounds.
 [[nodiscard]] Uncertainty estimate_uncertainty(const Objective& objective, const Minimum& minimum);
 
 }  // namespace skinfit

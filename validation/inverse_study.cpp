@@ -4,6 +4,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
+
+#include "fit/fit.hpp"
+#include "fit/multistart.hpp"
 
 namespace skinfit {
 namespace {
@@ -17,14 +21,35 @@ struct Case {
     std::vector<double> measured;
 };
 
+double drawn_value(const FreeParameter& free, ChainRandom& random) {
+    const double share = random.uniform();
+    if (free.prior) return quantile_within(*free.prior, free.bounds, share);
+    return free.bounds.lower + share * (free.bounds.upper - free.bounds.lower);
+}
+
+/// Drawn again as often as the priors on derived quantities refuse: those multiply the density of the others.
+std::vector<double> drawn_skin(const FitProblem& problem, ChainRandom& random) {
+    Experiment experiment = problem.experiment;
+    while (true) {
+        std::vector<double> values;
+        for (const FreeParameter& free : problem.free) {
+            values.push_back(drawn_value(free, random));
+            value_of(experiment.values, free.parameter) = values.back();
+        }
+        double squares = 0.0;
+        for (const DerivedPrior& derived : problem.derived_priors) {
+            const double value = derived_value(derived.quantity, experiment.values);
+            squares += std::pow(prior_residual(derived.prior, value).value, 2);
+        }
+        if (random.uniform() < std::exp(-0.5 * squares)) return values;
+    }
+}
+
 Case drawn_case(const FitProblem& problem, const Simulator& simulate, const RecoveryDesign& design,
                 std::uint64_t number) {
     // Apart from the chains of any posterior.
     ChainRandom random(design.seed, number + (std::uint64_t{1} << 62U));
-    Case drawn;
-    for (const FreeParameter& free : problem.free) {
-        drawn.truth.push_back(free.bounds.lower + random.uniform() * (free.bounds.upper - free.bounds.lower));
-    }
+    Case drawn{.truth = drawn_skin(problem, random), .measured = {}};
     for (const double reading : simulate(drawn.truth)) {
         drawn.measured.push_back(reading + design.noise * random.normal());
     }
@@ -40,42 +65,72 @@ int rank_among(const Posterior& posterior, Index parameter, double truth) {
     return rank;
 }
 
-/// The same fit with each kind of interval in turn.
-RecoveredSpectrum analysed(const Objective& objective, const std::vector<double>& truth, const Minimiser& minimise,
-                           const RecoveryDesign& design, std::uint64_t number) {
-    const Minimum minimum = minimise(objective);
-    RecoveredSpectrum spectrum{.parameters = {},
-                               .converged = minimum.converged,
-                               .better_minimum = false,
-                               .chi2_of_truth = 0.0,
-                               .worst_r_hat = 1.0,
-                               .divergences = 0};
-    const Inference profiled = infer(objective, minimum, UncertaintyMethod::profile, design.seed);
-    spectrum.better_minimum = profiled.profile->better_minimum;
-    spectrum.chi2_of_truth = objective.misfit(truth).residual.squaredNorm() - profiled.profile->cost;
-    const Uncertainty linear = estimate_uncertainty(objective, profiled.minimum);
-    std::optional<Inference> sampled;
-    if (design.with_posterior) {
-        sampled = infer(objective, profiled.minimum, UncertaintyMethod::posterior, design.seed + number);
-        spectrum.divergences = sampled->posterior->divergences;
+/// In standard deviations of `uncertainty`; none where no parameter has one.
+std::optional<double> largest_difference(const Minimum& a, const Minimum& b, const Uncertainty& uncertainty) {
+    std::optional<double> largest;
+    for (std::size_t i = 0; i < a.values.size(); ++i) {
+        const std::optional<double>& sigma = uncertainty.parameters[i].sigma;
+        if (sigma) largest = std::max(largest.value_or(0.0), std::abs(a.values[i] - b.values[i]) / *sigma);
     }
-    const auto interval = [](const ParameterUncertainty& found) {
-        return RecoveredParameter::Interval{.status = found.status, .interval_95 = found.interval_95};
-    };
+    return largest;
+}
+
+/// The objective of one spectrum, whole and cheap.
+struct Searched {
+    const Objective& cheap;
+    const Objective& objective;
+
+    [[nodiscard]] Minimum best(Solver solver, std::size_t count) const {
+        return distinct_minima(cheap, objective, solver, count).front().minimum;
+    }
+};
+
+void add_intervals(UncertaintyMethod method, const Uncertainty& uncertainty, RecoveredSpectrum& spectrum) {
+    for (std::size_t i = 0; i < spectrum.parameters.size(); ++i) {
+        const ParameterUncertainty& found = uncertainty.parameters[i];
+        spectrum.parameters[i].intervals[static_cast<std::size_t>(method)] =
+            RecoveredParameter::Interval{.status = found.status, .interval_95 = found.interval_95};
+    }
+}
+
+/// The same fit with each kind of interval in turn.
+RecoveredSpectrum analysed(const Searched& searched, const Searched& elsewhere, const std::vector<double>& truth,
+                           const RecoveryDesign& design, std::uint64_t number) {
+    const Objective& objective = searched.objective;
+    const auto wanted = [&](UncertaintyMethod method) { return design.intervals[static_cast<std::size_t>(method)]; };
+    Minimum minimum = searched.best(Solver::ceres, design.starts);
+    const Minimum other = searched.best(Solver::bobyqa, design.starts);
+    const Minimum thorough = elsewhere.best(Solver::ceres, design.thorough_starts);
+    RecoveredSpectrum spectrum{
+        .parameters = std::vector<RecoveredParameter>(truth.size()),
+        .converged = minimum.converged,
+        .cost = minimum.cost,
+        .best_cost = std::min({minimum.cost, other.cost, thorough.cost, objective.cost(truth)}),
+        .other_cost = other.cost,
+        .other_sigmas = largest_difference(minimum, other, estimate_uncertainty(objective, minimum)),
+        .worst_r_hat = 1.0,
+        .divergences = 0};
+    if (wanted(UncertaintyMethod::covariance)) {
+        add_intervals(UncertaintyMethod::covariance, estimate_uncertainty(objective, minimum), spectrum);
+    }
     for (std::size_t i = 0; i < truth.size(); ++i) {
-        RecoveredParameter parameter{
-            .truth = truth[i],
-            .estimate = profiled.minimum.values[i],
-            .intervals = {interval(linear.parameters[i]),
-                          interval(profiled.uncertainty.parameters[i]),
-                          {.status = Status::not_identifiable, .interval_95 = objective.problem().free[i].bounds}},
-            .rank = 0};
-        if (sampled) {
-            parameter.intervals[2] = interval(sampled->uncertainty.parameters[i]);
-            parameter.rank = rank_among(*sampled->posterior, static_cast<Index>(i), truth[i]);
-            spectrum.worst_r_hat = std::max(spectrum.worst_r_hat, sampled->posterior->marginals[i].r_hat);
+        spectrum.parameters[i].truth = truth[i];
+        spectrum.parameters[i].estimate = minimum.values[i];
+    }
+    if (wanted(UncertaintyMethod::profile)) {
+        const Inference profiled = infer(objective, minimum, UncertaintyMethod::profile, design.seed);
+        add_intervals(UncertaintyMethod::profile, profiled.uncertainty, spectrum);
+        spectrum.best_cost = std::min(spectrum.best_cost, profiled.profile->cost);
+        minimum = profiled.minimum;
+    }
+    if (wanted(UncertaintyMethod::posterior)) {
+        const Inference sampled = infer(objective, minimum, UncertaintyMethod::posterior, design.seed + number);
+        add_intervals(UncertaintyMethod::posterior, sampled.uncertainty, spectrum);
+        spectrum.divergences = sampled.posterior->divergences;
+        for (std::size_t i = 0; i < truth.size(); ++i) {
+            spectrum.parameters[i].rank = rank_among(*sampled.posterior, static_cast<Index>(i), truth[i]);
+            spectrum.worst_r_hat = std::max(spectrum.worst_r_hat, sampled.posterior->marginals[i].r_hat);
         }
-        spectrum.parameters.push_back(parameter);
     }
     return spectrum;
 }
@@ -83,17 +138,24 @@ RecoveredSpectrum analysed(const Objective& objective, const std::vector<double>
 }  // namespace
 
 std::vector<RecoveredSpectrum> recover(const FitProblem& problem, const ForwardModel& model, const Simulator& simulate,
-                                       const Minimiser& minimise, const RecoveryDesign& design) {
+                                       const RecoveryDesign& design) {
     std::vector<RecoveredSpectrum> recovered(design.spectra);
-    constexpr std::size_t at_a_time = 10;  // they share one copy of the model
+    const ForwardModel rough = cheap_model(problem, model);
+    constexpr std::size_t at_a_time = 10;  // they share one copy of the models
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, design.spectra, at_a_time), [&](const auto& range) {
         FitProblem own = problem;
         std::ranges::fill(own.sigma, design.noise);
+        FitProblem shifted = own;
+        ++shifted.walk.seed;  // of the points from which searches start
+        const Objective objective(own, model);
+        const Objective cheap(own, rough);
+        const Objective objective_elsewhere(shifted, model);
+        const Objective cheap_elsewhere(shifted, rough);
         for (std::size_t k = range.begin(); k < range.end(); ++k) {
             const Case drawn = drawn_case(problem, simulate, design, k);
             own.measured = drawn.measured;
-            const Objective objective(own, model);
-            recovered[k] = analysed(objective, drawn.truth, minimise, design, k);
+            shifted.measured = drawn.measured;
+            recovered[k] = analysed({cheap, objective}, {cheap_elsewhere, objective_elsewhere}, drawn.truth, design, k);
         }
     });
     return recovered;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,21 +13,21 @@
 /// Recovery studies: spectra of known skin, drawn at random, with noise, analysed as if nothing were known of them.
 namespace skinfit {
 
-/// The readings of a skin with these values of the free parameters, without noise, at the wavelengths of the problem.
+/// The readings of a skin with these values of the free parameters, without noise, at the wavelengths of the problem;
+/// called from several threads at a time.
 using Simulator = std::function<Eigen::VectorXd(std::span<const double> values)>;
 
-/// How an objective is minimised; called from several threads at a time.
-using Minimiser = std::function<Minimum(const Objective& objective)>;
+inline constexpr std::size_t uncertainty_methods = 3;  ///< as in `UncertaintyMethod`
 
 /// The design of a recovery study.
 struct RecoveryDesign {
     std::uint64_t spectra = 1000;
     double noise = 0.003;  ///< standard deviation of a reading, fraction; the problem's sigma is set to it
     std::uint64_t seed = 1;
-    bool with_posterior = true;
+    std::size_t starts = 8;            ///< of the search that is judged, by Ceres
+    std::size_t thorough_starts = 32;  ///< of the one that it is judged by, elsewhere in the box
+    std::array<bool, uncertainty_methods> intervals{true, true, true};  ///< which kinds are computed
 };
-
-inline constexpr std::size_t uncertainty_methods = 3;  ///< as in `UncertaintyMethod`
 
 /// What became of one parameter of one spectrum.
 struct RecoveredParameter {
@@ -36,8 +37,8 @@ struct RecoveredParameter {
         Status status;
         Bounds interval_95;
     };
-    std::array<Interval, uncertainty_methods> intervals;  ///< not identifiable by a posterior that was not sampled
-    int rank;  ///< how many of `ranked_draws` draws of the posterior lie below the truth
+    std::array<std::optional<Interval>, uncertainty_methods> intervals;
+    std::optional<int> rank;  ///< how many of `ranked_draws` draws of the posterior lie below the truth
 };
 
 /// Draws of the posterior among which the truth is ranked, spaced so that they are nearly independent.
@@ -47,16 +48,18 @@ inline constexpr int ranked_draws = 99;
 struct RecoveredSpectrum {
     std::vector<RecoveredParameter> parameters;  ///< in the order of `FitProblem::free`
     bool converged;
-    bool better_minimum;   ///< met while profiling
-    double chi2_of_truth;  ///< less the cost that the fit reached: below zero, up to rounding, the fit missed the best
+    double cost;                         ///< where the search from `RecoveryDesign::starts` ended
+    double best_cost;                    ///< the lowest known: of any search, met while profiling, or of the truth
+    double other_cost;                   ///< where BOBYQA's search from the same starts ended
+    std::optional<double> other_sigmas;  ///< how far from there, as `largest_difference`
     double worst_r_hat;
     int divergences;
 };
 
-/// Draws `design.spectra` skins, each free parameter uniformly from its bounds, simulates each with `simulate`, and
-/// fits `problem` to it over `model`. Spectra in parallel, the same results on any number of threads.
+/// Draws `design.spectra` skins, each free parameter from its prior within its bounds (uniform where it has none) and
+/// all of them as priors on derived quantities say, simulates each with `simulate`, and fits `problem` to it over
+/// `model`. Spectra in parallel, the same results on any number of threads.
 [[nodiscard]] std::vector<RecoveredSpectrum> recover(const FitProblem& problem, const ForwardModel& model,
-                                                     const Simulator& simulate, const Minimiser& minimise,
-                                                     const RecoveryDesign& design);
+                                                     const Simulator& simulate, const RecoveryDesign& design);
 
 }  // namespace skinfit

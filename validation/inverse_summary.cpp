@@ -1,18 +1,13 @@
 #include "validation/inverse_summary.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
-#include "fit/report.hpp"
-
 namespace skinfit {
 namespace {
 
-constexpr std::size_t rank_bins = 20;
-constexpr std::array<const char*, uncertainty_methods> method_names = {"covariance", "profile", "posterior"};
+constexpr double improbable_ranks = 1e-3;
 
 bool is_identifiable(const RecoveredParameter::Interval& interval) {
     return interval.status != Status::not_identifiable;
@@ -20,6 +15,12 @@ bool is_identifiable(const RecoveredParameter::Interval& interval) {
 
 bool covers(const RecoveredParameter::Interval& interval, double truth) {
     return interval.interval_95.lower <= truth && truth <= interval.interval_95.upper;
+}
+
+/// A divisor of the number of ranks that leaves ten spectra or more per bin where it can.
+std::size_t rank_bins(std::size_t spectra) {
+    if (spectra >= 200) return 20;
+    return spectra >= 100 ? 10 : 5;
 }
 
 /// Pearson's test that all bins are equally probable.
@@ -41,33 +42,45 @@ ParameterRecovery recovery_of(const std::vector<RecoveredSpectrum>& spectra, std
                              .bias = 0.0,
                              .root_mean_square_error = 0.0,
                              .coverage = {},
-                             .ranks = std::vector<std::size_t>(rank_bins),
-                             .rank_p_value = 1.0};
+                             .ranks = std::vector<std::size_t>(rank_bins(spectra.size())),
+                             .rank_p_value = {}};
+    std::size_t judged = 0;
+    bool is_ranked = false;
     for (const RecoveredSpectrum& spectrum : spectra) {
         const RecoveredParameter& found = spectrum.parameters[column];
+        bool is_first = true;
         for (std::size_t method = 0; method < uncertainty_methods; ++method) {
-            if (!is_identifiable(found.intervals[method])) continue;
-            ++result.coverage[method].identifiable;
-            if (covers(found.intervals[method], found.truth)) ++result.coverage[method].covered;
+            const std::optional<RecoveredParameter::Interval>& interval = found.intervals[method];
+            if (!interval) continue;
+            if (!result.coverage[method]) result.coverage[method] = Coverage{.identifiable = 0, .covered = 0};
+            if (is_identifiable(*interval)) {
+                ++result.coverage[method]->identifiable;
+                if (covers(*interval, found.truth)) ++result.coverage[method]->covered;
+            }
+            if (is_first && is_identifiable(*interval)) {
+                const double miss = found.estimate - found.truth;
+                result.bias += miss;
+                result.root_mean_square_error += miss * miss;
+                ++judged;
+            }
+            is_first = false;
         }
-        ++result.ranks[static_cast<std::size_t>(found.rank) * rank_bins / (ranked_draws + 1)];
-        if (!is_identifiable(found.intervals[1])) continue;
-        const double miss = found.estimate - found.truth;
-        result.bias += miss;
-        result.root_mean_square_error += miss * miss;
+        if (!found.rank) continue;
+        is_ranked = true;
+        ++result.ranks[static_cast<std::size_t>(*found.rank) * result.ranks.size() / (ranked_draws + 1)];
     }
-    const auto identifiable = static_cast<double>(std::max<std::size_t>(result.coverage[1].identifiable, 1));
-    result.bias /= identifiable;
-    result.root_mean_square_error = std::sqrt(result.root_mean_square_error / identifiable);
-    if (result.coverage[2].identifiable > 0) result.rank_p_value = equal_bins_p_value(result.ranks);
+    const auto count = static_cast<double>(std::max<std::size_t>(judged, 1));
+    result.bias /= count;
+    result.root_mean_square_error = std::sqrt(result.root_mean_square_error / count);
+    if (is_ranked) result.rank_p_value = equal_bins_p_value(result.ranks);
     return result;
 }
 
-std::string coverage_words(const Coverage& coverage) {
-    const std::optional<bool> passes = coverage.passes();
-    if (!passes) return fmt::format("{:>7} of {:<4}", "-", coverage.identifiable);
-    return fmt::format("{:>6.1f} % of {:<4}{}", 100.0 * coverage.share(), coverage.identifiable,
-                       *passes ? "" : " FAILS");
+template <class Condition>
+Agreement agreement(const std::vector<RecoveredSpectrum>& spectra, double wanted_share, Condition condition) {
+    return {.spectra = spectra.size(),
+            .agreeing = static_cast<std::size_t>(std::ranges::count_if(spectra, condition)),
+            .wanted_share = wanted_share};
 }
 
 }  // namespace
@@ -81,57 +94,44 @@ std::optional<bool> Coverage::passes() const {
 }
 
 RecoverySummary summarised(const std::vector<RecoveredSpectrum>& spectra, const std::vector<FreeParameter>& free) {
-    RecoverySummary summary{.spectra = spectra.size(),
-                            .parameters = {},
-                            .not_converged = 0,
-                            .missed_minimum = 0,
-                            .not_mixed = 0,
-                            .diverged = 0};
-    for (const RecoveredSpectrum& spectrum : spectra) {
-        if (!spectrum.converged) ++summary.not_converged;
-        if (spectrum.chi2_of_truth < -1e-3) ++summary.missed_minimum;
-        if (spectrum.worst_r_hat >= 1.01) ++summary.not_mixed;
-        if (spectrum.divergences > 0) ++summary.diverged;
-    }
+    constexpr double same_minimum = 1e-3;    // of the cost: no parameter is a thirtieth of its sigma away
+    constexpr double same_cost = 1e-6;       // relative
+    constexpr double same_parameter = 0.05;  // sigmas
+    const auto count = [&](auto condition) {
+        return static_cast<std::size_t>(std::ranges::count_if(spectra, condition));
+    };
+    using Each = RecoveredSpectrum;
+    RecoverySummary summary{
+        .spectra = spectra.size(),
+        .parameters = {},
+        .best_minimum =
+            agreement(spectra, 0.995, [](const Each& each) { return each.cost - each.best_cost <= same_minimum; }),
+        .solvers_cost =
+            agreement(spectra, 0.99,
+                      [](const Each& each) { return std::abs(each.cost - each.other_cost) <= same_cost * each.cost; }),
+        .solvers_parameters = agreement(
+            spectra, 0.99, [](const Each& each) { return each.other_sigmas.value_or(0.0) <= same_parameter; }),
+        .not_converged = count([](const Each& each) { return !each.converged; }),
+        .not_mixed = count([](const Each& each) { return each.worst_r_hat >= 1.01; }),
+        .diverged = count([](const Each& each) { return each.divergences > 0; })};
     for (std::size_t column = 0; column < free.size(); ++column) {
         summary.parameters.push_back(recovery_of(spectra, column, free[column].parameter));
     }
     return summary;
 }
 
-std::string recovery_csv(const std::vector<RecoveredSpectrum>& spectra, const std::vector<FreeParameter>& free) {
-    std::string text = "spectrum,parameter,truth,estimate";
-    for (const char* const method : method_names) {
-        text += fmt::format(",{0}_status,{0}_lower,{0}_upper", method);
-    }
-    text += ",rank\n";
-    for (std::size_t k = 0; k < spectra.size(); ++k) {
-        for (std::size_t column = 0; column < free.size(); ++column) {
-            const RecoveredParameter& found = spectra[k].parameters[column];
-            text += fmt::format("{},{},{},{}", k + 1, info(free[column].parameter).name, found.truth, found.estimate);
-            for (const RecoveredParameter::Interval& interval : found.intervals) {
-                text += fmt::format(",{},{},{}", name_of(interval.status), interval.interval_95.lower,
-                                    interval.interval_95.upper);
-            }
-            text += fmt::format(",{}\n", found.rank);
-        }
-    }
-    return text;
-}
-
-std::string recovery_text(const RecoverySummary& summary) {
-    std::string text = fmt::format(
-        "{} spectra: {} not converged, {} missed the best minimum, {} posteriors not mixed, "
-        "{} with divergences\n",
-        summary.spectra, summary.not_converged, summary.missed_minimum, summary.not_mixed, summary.diverged);
-    text += fmt::format("{:<34}{:>12}{:>12}{:>23}{:>23}{:>23}{:>10}\n", "coverage of 95 % intervals", "bias", "RMSE",
-                        method_names[0], method_names[1], method_names[2], "ranks: p");
-    for (const ParameterRecovery& row : summary.parameters) {
-        text += fmt::format("{:<34}{:>12.3g}{:>12.3g}", info(row.parameter).name, row.bias, row.root_mean_square_error);
-        for (const Coverage& coverage : row.coverage) text += fmt::format("{:>23}", coverage_words(coverage));
-        text += fmt::format("{:>10.2g}\n", row.rank_p_value);
-    }
-    return text;
+bool passes(const RecoverySummary& summary) {
+    const bool agree =
+        summary.best_minimum.passes() && summary.solvers_cost.passes() && summary.solvers_parameters.passes();
+    return agree && std::ranges::all_of(summary.parameters, [](const ParameterRecovery& row) {
+               // Covariance intervals are the linearised model's and judged by nobody.
+               const auto covers = [&row](UncertaintyMethod method) {
+                   const std::optional<Coverage>& coverage = row.coverage[static_cast<std::size_t>(method)];
+                   return !coverage || coverage->passes().value_or(true);
+               };
+               return covers(UncertaintyMethod::profile) && covers(UncertaintyMethod::posterior) &&
+                      row.rank_p_value.value_or(1.0) >= improbable_ranks;
+           });
 }
 
 }  // namespace skinfit

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "fit/plot_sheet.hpp"
+#include "fit/settings.hpp"
 #include "validation/inverse_study.hpp"
 
 namespace skinfit {
@@ -15,38 +17,62 @@ struct Coverage {
     std::size_t covered;
 
     [[nodiscard]] double share() const { return static_cast<double>(covered) / static_cast<double>(identifiable); }
-    /// Whether the share lies within 93 to 97 %; too few identifiable spectra decide nothing.
+    /// Whether the share lies within 93 to 97 %, or what chance makes of 95 % in so few spectra; fewer than 20
+    /// identifiable ones decide nothing.
     [[nodiscard]] std::optional<bool> passes() const;
 };
 
 /// How well one parameter was recovered.
 struct ParameterRecovery {
     Parameter parameter;
-    double bias;                    ///< mean of estimate - truth, where identifiable by profile
+    double bias;                    ///< mean of estimate - truth, where identifiable by the first kind of interval
     double root_mean_square_error;  ///< of the same
-    std::array<Coverage, uncertainty_methods> coverage;
-    std::vector<std::size_t> ranks;  ///< of the truth among draws of the posterior, in equal bins
-    double rank_p_value;             ///< of Pearson's test that they are equally full; 1 without a posterior
+    std::array<std::optional<Coverage>, uncertainty_methods> coverage;
+    std::vector<std::size_t> ranks;      ///< of the truth among draws of the posterior, in equal bins
+    std::optional<double> rank_p_value;  ///< of Pearson's test that they are equally full; none without a posterior
+};
+
+/// So many of all spectra, and how many may be missing.
+struct Agreement {
+    std::size_t spectra;
+    std::size_t agreeing;
+    double wanted_share;
+
+    [[nodiscard]] double share() const { return static_cast<double>(agreeing) / static_cast<double>(spectra); }
+    [[nodiscard]] bool passes() const { return share() >= wanted_share; }
 };
 
 /// A recovery study in short.
 struct RecoverySummary {
     std::size_t spectra;
     std::vector<ParameterRecovery> parameters;
+    Agreement best_minimum;        ///< searches that ended within 1e-3 of the lowest cost known
+    Agreement solvers_cost;        ///< Ceres and BOBYQA: costs that differ by 1e-6 of them at most
+    Agreement solvers_parameters;  ///< and parameters by 0.05 sigma at most
     std::size_t not_converged;
-    std::size_t missed_minimum;  ///< the truth has a lower cost than the fit, which proves a better minimum
-    std::size_t not_mixed;       ///< R-hat of 1.01 or more in any parameter
-    std::size_t diverged;        ///< any divergence
+    std::size_t not_mixed;  ///< R-hat of 1.01 or more in any parameter
+    std::size_t diverged;   ///< any divergence
 };
 
 [[nodiscard]] RecoverySummary summarised(const std::vector<RecoveredSpectrum>& spectra,
                                          const std::vector<FreeParameter>& free);
 
-/// One row per spectrum and parameter: truth, estimate, status and interval of each kind, rank.
+/// Whether nothing that the study judges fails. Ranks fail below a p-value of 0.001.
+[[nodiscard]] bool passes(const RecoverySummary& summary);
+
+/// One row per spectrum and parameter: truth, estimate, status and interval of each kind, rank; and how the searches of
+/// the spectrum ended. What was not computed is empty.
 [[nodiscard]] std::string recovery_csv(const std::vector<RecoveredSpectrum>& spectra,
                                        const std::vector<FreeParameter>& free);
 
 /// The summary for people, with verdicts.
 [[nodiscard]] std::string recovery_text(const RecoverySummary& summary);
+
+/// The same for programs.
+[[nodiscard]] Json recovery_json(const RecoverySummary& summary);
+
+/// A column per parameter. Above, its rank histogram, where there are ranks; below, how often each kind of interval
+/// covers the truth in each tenth of the spectra, in order of the truth.
+[[nodiscard]] PlotSheet recovery_sheet(const std::vector<RecoveredSpectrum>& spectra, const RecoverySummary& summary);
 
 }  // namespace skinfit

@@ -58,6 +58,30 @@ TEST_F(ValidationRuns, AnAbsentMeasurementIsNotedOnStderr) {
     EXPECT_NE(outcome.out.find("skipped"), std::string::npos);
 }
 
+TEST_F(ValidationRuns, ARecoveryStudyIsATableTwoPicturesAndASummary) {
+    const Outcome outcome =
+        run({"validate", "inverse", "--spectra", "3", "--simulate-by", "emulator", "--intervals", "profile", "--fix",
+             "papillary_blood_fraction,bilirubin_g_per_l", "--format", "json", "--output", "study"});
+    EXPECT_LE(outcome.exit_code, 1) << outcome.err;
+    for (const std::string name : {"recovery.csv", "recovery.svg", "recovery.png", "summary.json"}) {
+        EXPECT_TRUE(exists("study/" + name)) << name;
+    }
+    EXPECT_EQ(outcome.out, read_file(folder() / "study/summary.json"));
+    const Json json = Json::parse(outcome.out);
+    EXPECT_EQ(json["spectra"], 3);
+    EXPECT_EQ(json["parameters"].size(), 3U);
+    EXPECT_EQ(json["passes"], outcome.exit_code == 0);
+    EXPECT_TRUE(json["parameters"]["oxygen_saturation"]["coverage"].contains("profile"));
+    EXPECT_FALSE(json["parameters"]["oxygen_saturation"]["coverage"].contains("posterior"));
+}
+
+TEST_F(ValidationRuns, ARecoveryStudyRefusesBadOptions) {
+    expect_refusal({"validate", "inverse", "--intervals", "profiles"}, "--intervals profiles");
+    expect_refusal({"validate", "inverse", "--spectra", "0"}, "--spectra");
+    expect_refusal({"validate", "inverse", "--simulate-by", "hand"}, "--simulate-by");
+    expect_refusal({"validate", "inverse", "--set", "discrepancy={}"}, "discrepancy: no recovery study with one");
+}
+
 TEST_F(ValidationRuns, BadOptionsAreRefusedBeforeTheWork) {
     expect_refusal({"validate", "forward", "--figures", "5,2"}, "no figure \"2\" (there are figures 3 to 10)");
     expect_refusal({"validate", "forward", "--figures", "five"}, "no figure \"five\"");

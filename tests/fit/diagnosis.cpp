@@ -124,9 +124,19 @@ TEST(Diagnosis, ResidualsInRunsBelowOneInAThousand) {
     expect_trusted(result);
     result.runs_p_value = 0.00099;
     expect_only(result, "RESIDUALS IN RUNS");
+    EXPECT_NE(diagnose(result).reasons[0].find("set discrepancy,"), std::string::npos);
     // Below half the noise they do no harm.
-    result.chi2 = 0.24 * result.degrees_of_freedom;
+    result.unexplained = 0.49;
     expect_trusted(result);
+}
+
+TEST(Diagnosis, RunsBeyondADiscrepancyAreNotToldToSetOne) {
+    FitResult result = trustworthy_result();
+    result.runs_p_value = 0.00099;
+    result.configuration.discrepancy = Discrepancy{};
+    expect_only(result, "RESIDUALS IN RUNS: what a discrepancy of 0.005 over 30 nm leaves");
+    EXPECT_EQ(diagnose(result).reasons[0].find("set discrepancy,"), std::string::npos);
+    EXPECT_NE(diagnose(result).reasons[0].find("set a larger sigma or a shorter length_nm"), std::string::npos);
 }
 
 TEST(Diagnosis, FewerWavelengthsThanParameters) {

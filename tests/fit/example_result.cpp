@@ -41,6 +41,7 @@ FitResult all_fixed() {
     result.p_value = 0.26;
     result.inflation = 1.0786;
     result.runs_p_value = 0.4;
+    result.unexplained = 1.01;
     result.median_sigma = 0.006;
     result.monte_carlo_error = 0.00042;
     result.wavelength_nm = {400, 550, 700};

@@ -45,5 +45,14 @@ TEST(Identifiability, OfOneReadingLeavesOtherDirectionsUnknown) {
     EXPECT_NEAR(found.shrinkage[0], 1.0 - 1.0 / (1.0 + 1e4 / 12.0), 1e-12);
 }
 
+TEST(Identifiability, APriorCountsInsteadOfTheBounds) {
+    std::vector<FreeParameter> free = two_free();
+    free[0].prior = NormalPrior{.mean = 0.5, .sigma = 0.01};
+    EXPECT_NEAR(prior_sigma(free[0]), 0.01, 1e-7);
+    const Identifiability found = identifiability((MatrixXd(1, 2) << 100, 0).finished(), free);
+    // One prior sigma changes the reading by one sigma: half of the variance is left.
+    EXPECT_NEAR(found.shrinkage[0], 0.5, 1e-5);
+}
+
 }  // namespace
 }  // namespace skinfit::test

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -50,6 +51,49 @@ TEST(NoiseModel, WithoutDiscrepancyDividesBySigma) {
     for (std::size_t i = 0; i < sigma.size(); ++i) {
         EXPECT_NEAR(whitened[static_cast<Eigen::Index>(i)] * sigma[i], 1.0, 4 * epsilon);
     }
+}
+
+TEST(NoiseModel, UnexplainedIsLessThePosteriorMeanOfTheDeparture) {
+    for (const Kernel kernel : {Kernel::squared_exponential, Kernel::matern_3_2}) {
+        const Discrepancy discrepancy{.sigma = 0.005, .length_nm = 30, .kernel = kernel};
+        Eigen::VectorXd differences(6);
+        differences << 0.004, 0.006, 0.005, -0.002, -0.003, 0.01;
+        const Eigen::Map<const Eigen::VectorXd> noise(sigma.data(), 6);
+        const Eigen::MatrixXd both = covariance(discrepancy);
+        const Eigen::MatrixXd kernel_matrix = both - Eigen::MatrixXd(noise.cwiseAbs2().asDiagonal());
+        const Eigen::VectorXd mean = kernel_matrix * both.inverse() * differences;
+        const Eigen::VectorXd expected = (differences - mean).cwiseQuotient(noise);
+        const Eigen::VectorXd found = NoiseModel(wavelength_nm, sigma, discrepancy).unexplained(differences);
+        // Condition number below 1e2, in some roundings per element.
+        EXPECT_LT((found - expected).norm(), 1e4 * epsilon * differences.cwiseQuotient(noise).norm());
+    }
+}
+
+TEST(NoiseModel, WithoutDiscrepancyNothingIsExplained) {
+    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(6);
+    const NoiseModel noise(wavelength_nm, sigma, std::nullopt);
+    EXPECT_EQ(noise.unexplained(ones), Eigen::VectorXd(noise.whiten(ones)));
+}
+
+TEST(NoiseModel, ASmoothDepartureIsExplainedAndARoughOneIsNot) {
+    const std::vector<double> grid = [] {
+        std::vector<double> nm;
+        for (int i = 0; i < 61; ++i) nm.push_back(400.0 + 5.0 * i);
+        return nm;
+    }();
+    const std::vector<double> even(grid.size(), 0.003);
+    const NoiseModel noise(grid, even, Discrepancy{.sigma = 0.005, .length_nm = 30});
+    Eigen::VectorXd wave(61);
+    Eigen::VectorXd saw(61);
+    for (Eigen::Index i = 0; i < 61; ++i) {
+        wave[i] = 0.005 * std::sin(0.15 * static_cast<double>(i));  // a period of 200 nm
+        saw[i] = i % 2 == 0 ? 0.003 : -0.003;
+    }
+    // By eigenvalues of a stationary kernel, s^2 sqrt(2 pi) l / step exp(-(k l)^2 / 2) is above 40 noise variances at
+    // the wave's frequency k = 0.03 per nm, so that less than a fortieth is left but for the ends; below 1e-6 at the
+    // saw's.
+    EXPECT_LT(noise.unexplained(wave).norm(), 0.1 * (wave / 0.003).norm());
+    EXPECT_GT(noise.unexplained(saw).norm(), 0.9 * (saw / 0.003).norm());
 }
 
 TEST(NoiseModel, ASmallDiscrepancyIsNone) {

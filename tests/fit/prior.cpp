@@ -7,6 +7,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace skinfit::test {
 namespace {
@@ -81,6 +82,31 @@ TEST(Prior, MassOfItsOwnQuantileRangeIsThatRange) {
                 4 * epsilon);
     EXPECT_NEAR(mass_within(LogNormalPrior{.median = 3.0, .sigma_log = 0.5}, {0.0, 3.0}), 0.5, 4 * epsilon);
     EXPECT_NEAR(mass_within(BetaPrior{.a = 2.0, .b = 2.0}, {0.0, 0.5}), 0.5, 4 * epsilon);
+}
+
+TEST(Prior, StandardDeviationIsThatOfTheDistribution) {
+    constexpr double tolerance = 1e-5;  // of the integrals, relative: ten times what is asked of each
+    EXPECT_NEAR(standard_deviation(NormalPrior{.mean = 1.0, .sigma = 0.01}, {-10.0, 20.0}), 0.01, 0.01 * tolerance);
+    const double log_normal = 3.0 * std::exp(0.125) * std::sqrt(std::expm1(0.25));
+    EXPECT_NEAR(standard_deviation(LogNormalPrior{.median = 3.0, .sigma_log = 0.5}, {0.0, 300.0}), log_normal,
+                log_normal * tolerance);
+    const double beta = std::sqrt(2.0 * 5.0 / (49.0 * 8.0));
+    EXPECT_NEAR(standard_deviation(BetaPrior{.a = 2.0, .b = 5.0}, {0.0, 1.0}), beta, beta * tolerance);
+    // So wide that the bounds decide: uniform; half of a normal one.
+    EXPECT_NEAR(standard_deviation(NormalPrior{.mean = 0.5, .sigma = 1e4}, {0.0, 1.0}), 1.0 / std::sqrt(12.0), 1e-6);
+    const double half = std::sqrt(1.0 - 2.0 / std::numbers::pi);
+    EXPECT_NEAR(standard_deviation(NormalPrior{.mean = 0.0, .sigma = 1.0}, {0.0, 20.0}), half, half * tolerance);
+}
+
+TEST(Prior, QuantileWithinBoundsHasTheShareBelow) {
+    for (const Prior& prior : {Prior(NormalPrior{.mean = 0.1, .sigma = 0.2}),
+                               Prior(LogNormalPrior{.median = 0.05, .sigma_log = 1.5}), Prior(BetaPrior{2.0, 5.0})}) {
+        const Bounds bounds{.lower = 0.02, .upper = 0.7};
+        for (const double share : {0.0, 1e-3, 0.3, 0.5, 0.9, 1.0}) {
+            const double value = quantile_within(prior, bounds, share);
+            EXPECT_NEAR(mass_within(prior, {bounds.lower, value}) / mass_within(prior, bounds), share, 1e-12);
+        }
+    }
 }
 
 TEST(Prior, SupportEndsAtAResidualOfEightWhereABoundHasNoDensity) {

@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+
+#include "app/commands.hpp"
+#include "app/shared_options.hpp"
+#include "core/file.hpp"
+#include "core/input_error.hpp"
+#include "core/text.hpp"
+#include "fit/configuration_json.hpp"
+#include "validation/inverse_run.hpp"
+#include "validation/inverse_summary.hpp"
+
+namespace skinfit {
+namespace {
+
+struct ValidateInverseCommand {
+    SharedOptions shared;
+    std::filesystem::path output = "inverse_validation";
+    std::uint64_t spectra = 1000;
+    std::string seed;
+    std::string engine;
+    std::string simulate_by = "solver";
+    std::string intervals = "covariance,profile,posterior";
+    std::vector<std::string> free;
+    std::vector<std::string> fix;
+};
+
+Configuration configuration_of(const ValidateInverseCommand& command) {
+    Configuration configuration = configuration_from(command.shared, study_configuration());
+    const auto take = [&](const char* key, const std::string& text) {
+        if (!text.empty()) configuration = configured_by_word(configuration, key, text, std::string("--") + key);
+    };
+    take("seed", command.seed);
+    take("engine", command.engine);
+    return with_free_and_fixed(configuration, command.free, command.fix);
+}
+
+/// The kinds of interval named in "profile,posterior".
+std::array<bool, uncertainty_methods> chosen_intervals(const std::string& names) {
+    std::array<bool, uncertainty_methods> chosen{};
+    for (const std::string_view name : split(names, ',')) {
+        const Configuration named =
+            configured_by_word(default_configuration(), "uncertainty", name, fmt::format("--intervals {}", names));
+        chosen[static_cast<std::size_t>(named.uncertainty)] = true;
+    }
+    return chosen;
+}
+
+int run(const ValidateInverseCommand& command) {
+    const Configuration configuration = configuration_of(command);
+    const Engine simulator =
+        configured_by_word(default_configuration(), "engine", command.simulate_by, "--simulate-by").engine;
+    RecoveryDesign design;
+    design.spectra = command.spectra;
+    design.intervals = chosen_intervals(command.intervals);
+    make_output_folder(command.output);
+    const auto limit = thread_limit(command.shared);
+    const InverseStudy study = run_inverse_study(configuration, simulator, design, cache_from(command.shared));
+    const RecoverySummary summary = summarised(study.spectra, study.free);
+    write_file_atomically(command.output / "recovery.csv", recovery_csv(study.spectra, study.free));
+    const PlotSheet sheet = recovery_sheet(study.spectra, summary);
+    draw(sheet, command.output / "recovery.svg");
+    draw(sheet, command.output / "recovery.png");
+    Json json = recovery_json(summary);
+    json["simulated_by"] = command.simulate_by;
+    json["configuration"] = to_json(configuration);
+    const std::string text = json_text(json);
+    write_file_atomically(command.output / "summary.json", text);
+    write_stdout(command.shared.format == "json" ? text : recovery_text(summary));
+    return passes(summary) ? trustworthy_result : result_with_warning;
+}
+
+}  // namespace
+
+void add_validate_inverse_command(CLI::App& validate, int& exit_code) {
+    const auto command = std::make_shared<ValidateInverseCommand>();
+    CLI::App* const inverse = validate.add_subcommand(
+        "inverse", "fit synthetic spectra of known skin, and count how often intervals cover it");
+    inverse->add_option("--output", command->output, "folder for recovery.csv, two pictures and summary.json")
+        ->type_name("FOLDER")
+        ->capture_default_str();
+    inverse->add_option("--spectra", command->spectra, "how many skins are drawn from the priors")
+        ->check(CLI::Range(1, 1'000'000))
+        ->capture_default_str();
+    inverse->add_option("--seed", command->seed, "of skins, noise, starts and chains");
+    inverse->add_option("--engine", command->engine, "of the fits: emulator, paths or solver; emulator by default");
+    inverse
+        ->add_option("--simulate-by", command->simulate_by,
+                     "engine of the spectra: solver, emulator, or paths, whose walks have another seed than the fits'")
+        ->check(CLI::IsMember({"solver", "emulator", "paths"}))
+        ->capture_default_str();
+    inverse->add_option("--intervals", command->intervals, "kinds of interval to compute")
+        ->type_name("KIND,KIND")
+        ->capture_default_str();
+    inverse->add_option("--free", command->free, "adjust these parameters too")
+        ->type_name("NAME,NAME")
+        ->expected(1)
+        ->take_all();
+    inverse->add_option("--fix", command->fix, "hold these parameters")
+        ->type_name("NAME,NAME")
+        ->expected(1)
+        ->take_all();
+    inverse->add_option("--config", command->shared.config, "JSON file of settings; see `skinfit config show`")
+        ->type_name("FILE");
+    inverse->add_option("--set", command->shared.set, "change one setting or parameter, as in priors=uniform")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->take_all();
+    command->shared.format = "text";
+    inverse->add_option("--format", command->shared.format, "form of the summary on the terminal")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->capture_default_str();
+    inverse->add_option("--threads", command->shared.threads, "at most so many; the result does not depend on it")
+        ->check(CLI::Range(1, 1024));
+    inverse->add_flag("--no-cache", command->shared.no_cache, "do not keep or use recorded walks");
+    inverse->footer("Exit code 0: the study passes; 1: something failed; 2: bad input; 3: internal error.");
+    inverse->callback([command, &exit_code] { exit_code = run(*command); });
+}
+
+}  // namespace skinfit
