@@ -9,28 +9,12 @@
 #include <string>
 
 #include "core/input_error.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace skinfit {
 namespace {
 
-/// A folder of its own for each test, removed afterwards.
-class FileTest : public testing::Test {
-protected:
-    void SetUp() override {
-        std::string name = testing::TempDir() + "skinfit_file_XXXXXX";
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-
-    [[nodiscard]] std::filesystem::path in_folder(const std::string& name) const { return folder_ / name; }
-    [[nodiscard]] std::ptrdiff_t entries() const {
-        return std::distance(std::filesystem::directory_iterator(folder_), std::filesystem::directory_iterator());
-    }
-
-private:
-    std::filesystem::path folder_;
-};
+using FileTest = test::TemporaryFolder;
 
 /// The message of the InputError that `action` throws, or nothing.
 template <typename Action>

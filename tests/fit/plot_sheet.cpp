@@ -8,25 +8,12 @@
 
 #include "core/file.hpp"
 #include "core/input_error.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace skinfit {
 namespace {
 
-/// A folder of its own for each test, removed afterwards.
-class PlotSheetTest : public testing::Test {
-protected:
-    void SetUp() override {
-        std::string name = testing::TempDir() + "skinfit_sheet_XXXXXX";
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-
-    [[nodiscard]] std::filesystem::path in_folder(const std::string& name) const { return folder_ / name; }
-
-private:
-    std::filesystem::path folder_;
-};
+using PlotSheetTest = test::TemporaryFolder;
 
 PlotSheet example() {
     const SheetPanel panel{
