@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <fstream>
 #include <limits>
 #include <vector>
@@ -26,17 +28,24 @@ bool begins_as_header(const std::filesystem::path& path) {
     return is_envi_header({start.data(), static_cast<std::size_t>(stream.gcount())});
 }
 
+/// The endings of data whose header has `.hdr` in their place.
+std::vector<std::string> data_endings() {
+    std::vector<std::string> endings;
+    for (const std::string ending : {".dat", ".img", ".raw", ".bin", ".bsq", ".bil", ".bip", ".cube"}) {
+        endings.push_back(ending);
+        endings.push_back(ending);
+        for (char& c : endings.back()) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    }
+    return endings;
+}
+
 std::vector<std::filesystem::path> data_files(const std::filesystem::path& header) {
     std::filesystem::path stem = header;
     if (is_file(stem.replace_extension()) && stem != header) return {stem};
     std::vector<std::filesystem::path> found;
-    for (const std::string_view ending : {"dat", "img", "raw", "bin", "bsq", "bil", "bip", "cube"}) {
-        std::string capitals(ending);
-        for (char& c : capitals) c = static_cast<char>(c - 'a' + 'A');
-        for (const std::string_view spelling : {ending, std::string_view(capitals)}) {
-            const std::filesystem::path path = std::filesystem::path(header).replace_extension(spelling);
-            if (path != header && is_file(path)) found.push_back(path);
-        }
+    for (const std::string& ending : data_endings()) {
+        const std::filesystem::path path = std::filesystem::path(header).replace_extension(ending);
+        if (path != header && is_file(path)) found.push_back(path);
     }
     return found;
 }
@@ -46,12 +55,14 @@ std::vector<std::filesystem::path> data_files(const std::filesystem::path& heade
 std::optional<std::filesystem::path> find_envi_header(const std::filesystem::path& path) {
     if (begins_as_header(path)) return path;
     if (!is_file(path)) return std::nullopt;
+    const std::vector<std::string> endings = data_endings();
+    const bool replaceable = std::ranges::find(endings, path.extension().string()) != endings.end();
     for (const std::string_view ending : {".hdr", ".HDR"}) {
         std::filesystem::path behind = path;
         behind += ending;
         if (begins_as_header(behind)) return behind;
         const std::filesystem::path instead = std::filesystem::path(path).replace_extension(ending);
-        if (begins_as_header(instead)) return instead;
+        if (replaceable && begins_as_header(instead)) return instead;
     }
     return std::nullopt;
 }

@@ -15,11 +15,12 @@ struct EnviFiles {
 };
 
 /// The header that belongs to `path`: `path` itself where it begins as a header does, else the header beside it, which
-/// is called as the data with `.hdr` (or `.HDR`) behind it or in place of the ending. Nothing where there is none.
+/// is called as the data with `.hdr` (or `.HDR`) behind it or in place of an ending that data have: dat, img, raw, bin,
+/// bsq, bil, bip or cube, in small or capital letters. Nothing where there is none.
 [[nodiscard]] std::optional<std::filesystem::path> find_envi_header(const std::filesystem::path& path);
 
-/// Both files, either of which `path` may name. The data are called as the header without `.hdr`, or have, in place of
-/// it, one of the endings dat, img, raw, bin, bsq, bil, bip and cube in small or capital letters.
+/// Both files, either of which `path` may name. The data are called as the header without `.hdr` or with one of those
+/// endings in its place.
 ///
 /// Throws InputError when `path` is no ENVI file and when no data or several are found.
 [[nodiscard]] EnviFiles find_envi_files(const std::filesystem::path& path);

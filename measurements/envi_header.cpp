@@ -140,6 +140,7 @@ EnviHeader parse_envi_header(std::string_view text, const std::string& source) {
     }
     header.data_ignore_value = fields.number("data ignore value");
     read_wavelengths(fields, header);
+    if (const auto sensor = fields.find("sensor type")) header.sensor_type = sensor->value;
     header.good.assign(header.bands, true);
     const std::vector<double> marks = fields.numbers("bbl", header.bands);
     for (std::size_t band = 0; band < marks.size(); ++band) header.good[band] = marks[band] != 0;

@@ -29,8 +29,9 @@ struct EnviHeader {
     std::optional<double> reflectance_scale_factor;  ///< the number that stands for 1; above 0
     std::optional<double> data_ignore_value;         ///< stands for no measurement; NaN always does
     std::vector<double> wavelength_nm;               ///< one per band, finite, in any order; empty where not given
-    std::vector<double> fwhm_nm;                     ///< one per band, above 0; empty where not given
+    std::vector<double> fwhm_nm;                     ///< one per band, not negative; empty where not given
     std::string wavelength_rule;                     ///< how the unit of the wavelengths was found, in words
+    std::string sensor_type;                         ///< empty where not given
     std::vector<bool> good;                          ///< one per band: not marked as bad by `bbl`
 
     /// The bytes the data file must have at least; 2^64 - 1 where they are more.

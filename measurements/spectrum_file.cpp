@@ -9,6 +9,7 @@
 #include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "core/text.hpp"
+#include "measurements/envi_reader.hpp"
 #include "measurements/readers.hpp"
 #include "measurements/spectrum_choice.hpp"
 #include "measurements/words.hpp"
@@ -50,10 +51,20 @@ void refuse_zip(std::string_view text, const std::string& source) {
                       .remedy = "unpack it, or export the spreadsheet as CSV in UTF-8"});
 }
 
+/// Text has no pixels to choose.
+void refuse_region(const RegionChoice& region, const std::string& source) {
+    if (!region.mask && !region.rectangle) return;
+    throw InputError({.where = source,
+                      .problem = "is no ENVI cube",
+                      .why = "a mask or rectangle chooses pixels of one",
+                      .remedy = "leave the mask and the rectangle out"});
+}
+
 }  // namespace
 
 std::vector<std::string_view> reader_names() {
     std::vector<std::string_view> names;
+    names.push_back(envi_reader_name);
     for (const Reader& reader : readers) names.push_back(reader.name);
     return names;
 }
@@ -61,6 +72,7 @@ std::vector<std::string_view> reader_names() {
 SpectrumFile parse_spectra(std::string_view text, const std::string& source, const ReadOptions& options,
                            const std::optional<std::string>& wanted) {
     refuse_zip(text, source);
+    refuse_region(options.region, source);
     const Reader& reader = find_reader(text, wanted);
     SpectrumFile file{
         .source = source, .format = std::string(reader.name), .spectra = reader.read(text, source, options)};
@@ -72,7 +84,11 @@ SpectrumFile parse_spectra(std::string_view text, const std::string& source, con
 
 SpectrumFile read_spectra(const std::filesystem::path& path, const ReadOptions& options,
                           const std::optional<std::string>& reader) {
-    return parse_spectra(read_file(path), path.string(), options, reader);
+    if (!is_cube(path, reader)) return parse_spectra(read_file(path), path.string(), options, reader);
+    SpectrumFile file{
+        .source = path.string(), .format = std::string(envi_reader_name), .spectra = {read_envi(path, options)}};
+    if (options.column) file.spectra = {choose_spectrum(std::move(file.spectra), file.source, *options.column)};
+    return file;
 }
 
 }  // namespace skinfit
