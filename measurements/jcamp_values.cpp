@@ -110,13 +110,14 @@ public:
 
     void add(double ordinate) {
         line_.ordinates.push_back(ordinate);
-        difference_.reset();
+        is_difference_ = false;
     }
     void add_difference(double difference, std::string_view text) {
         if (line_.ordinates.empty() || std::isnan(line_.ordinates.back()))
             refuse(where_, text, "a difference needs an ordinate before it on its line");
         line_.ordinates.push_back(line_.ordinates.back() + difference);
         difference_ = difference;
+        is_difference_ = true;
     }
     /// What came last stands `times` times in all.
     void duplicate(double times, std::string_view text) {
@@ -126,14 +127,16 @@ public:
             times != std::floor(times)) {
             refuse(where_, text, "duplicates are counted from 1, up to a million ordinates to a line");
         }
-        for (double i = 1; i < times; ++i) line_.ordinates.push_back(line_.ordinates.back() + difference_.value_or(0));
+        for (double i = 1; i < times; ++i)
+            line_.ordinates.push_back(line_.ordinates.back() + (is_difference_ ? difference_ : 0));
     }
-    [[nodiscard]] bool end_in_difference() const { return difference_.has_value(); }
+    [[nodiscard]] bool end_in_difference() const { return is_difference_; }
 
 private:
     JcampLine& line_;
     const std::string& where_;
-    std::optional<double> difference_;  ///< the last, where the last ordinate was one
+    double difference_ = 0.0;
+    bool is_difference_ = false;  ///< what came last was a difference
 };
 
 }  // namespace
