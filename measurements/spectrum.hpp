@@ -32,8 +32,10 @@ struct Spectrum {
     std::vector<double> sigma;          ///< standard uncertainty of `value`, above 0; empty where not given
     std::optional<Quantity> quantity;   ///< where the file says so
     Geometry geometry;
-    std::string unit_rule;          ///< how the unit of the values was found, in words
-    std::vector<FileNote> notes{};  ///< in the order of the file
+    std::string unit_rule;                       ///< how the unit of the values was found, in words
+    std::vector<FileNote> notes{};               ///< in the order of the file
+    std::size_t missing = 0;                     ///< wavelengths of the file without a value
+    std::vector<std::vector<double>> repeats{};  ///< readings of the same specimen, each at the same wavelengths
 };
 
 }  // namespace skinfit
