@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -61,6 +62,28 @@ double read_number(const Columns& columns, const Row& row, std::size_t column, b
     return *number;
 }
 
+/// The column's numbers; none where it holds words only, as a column of remarks does.
+std::vector<double> read_column_with_gaps(const Columns& columns, std::size_t column, bool decimal_comma) {
+    std::vector<double> numbers;
+    std::optional<InputError> first_word;
+    bool has_numbers = false;
+    for (const Row& row : columns.rows) {
+        double number = std::numeric_limits<double>::quiet_NaN();
+        if (!is_missing(row.cells[column])) {
+            try {
+                number = read_number(columns, row, column, decimal_comma);
+                has_numbers = true;
+            } catch (const InputError& error) {
+                if (!first_word) first_word = error;
+            }
+        }
+        numbers.push_back(number);
+    }
+    if (!has_numbers) return {};
+    if (first_word) throw InputError(*first_word);
+    return numbers;
+}
+
 }  // namespace
 
 std::vector<std::vector<double>> read_numbers(const Columns& columns, std::span<const std::size_t> wanted) {
@@ -70,6 +93,15 @@ std::vector<std::vector<double>> read_numbers(const Columns& columns, std::span<
         for (std::size_t i = 0; i < wanted.size(); ++i) {
             numbers[i].push_back(read_number(columns, row, wanted[i], decimal_comma));
         }
+    }
+    return numbers;
+}
+
+std::vector<std::vector<double>> read_numbers_with_gaps(const Columns& columns, std::span<const std::size_t> wanted) {
+    const bool decimal_comma = has_decimal_commas(columns, wanted);
+    std::vector<std::vector<double>> numbers;
+    for (const std::size_t column : wanted) {
+        numbers.push_back(read_column_with_gaps(columns, column, decimal_comma));
     }
     return numbers;
 }

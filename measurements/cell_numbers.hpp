@@ -17,4 +17,9 @@ namespace skinfit {
 [[nodiscard]] std::vector<std::vector<double>> read_numbers(const Columns& columns,
                                                             std::span<const std::size_t> wanted);
 
+/// The same where cells may be missing (`is_missing`): NaN stands for them, and a column without any number gives no
+/// numbers at all. A column with numbers must hold nothing but numbers and missing cells.
+[[nodiscard]] std::vector<std::vector<double>> read_numbers_with_gaps(const Columns& columns,
+                                                                      std::span<const std::size_t> wanted);
+
 }  // namespace skinfit

@@ -109,24 +109,17 @@ std::size_t find_column(const Columns& columns, const std::vector<std::size_t>& 
                       .remedy = "choose one of these by its name or by its number, counted without the wavelengths"});
 }
 
-}  // namespace
-
-ColumnChoice choose_column(const Columns& columns, const std::optional<std::string>& wanted) {
+std::vector<std::size_t> checked_value_columns(const Columns& columns) {
     refuse_spectra_in_rows(columns);
-    const std::vector<std::size_t> choices = value_columns(columns);
-    if (choices.empty()) {
-        throw InputError({.where = header_place(columns),
-                          .problem = "has no column of values",
-                          .why = "all columns but the wavelengths are called sigma",
-                          .remedy = "add the values or rename their column"});
-    }
-    if (!wanted && choices.size() > 1) {
-        throw InputError({.where = header_place(columns),
-                          .problem = fmt::format("has {} columns of values", choices.size()),
-                          .why = list(columns, choices),
-                          .remedy = "choose one with --column, by its name or its number"});
-    }
-    const std::size_t value = wanted ? find_column(columns, choices, *wanted) : choices.front();
+    std::vector<std::size_t> choices = value_columns(columns);
+    if (!choices.empty()) return choices;
+    throw InputError({.where = header_place(columns),
+                      .problem = "has no column of values",
+                      .why = "all columns but the wavelengths are called sigma",
+                      .remedy = "add the values or rename their column"});
+}
+
+ColumnChoice with_sigma(const Columns& columns, std::size_t value, bool sole) {
     std::vector<std::size_t> sigma = columns_called(columns, fmt::format("{}_sigma", name_of(columns, value)));
     if (sigma.empty()) sigma = columns_called(columns, "sigma");
     if (sigma.size() > 1) {
@@ -136,9 +129,28 @@ ColumnChoice choose_column(const Columns& columns, const std::optional<std::stri
                           .why = "the uncertainty of the values must be one of them",
                           .remedy = "give every column a name of its own"});
     }
-    return {.value = value,
-            .sigma = sigma.empty() ? std::nullopt : std::optional(sigma.front()),
-            .sole = choices.size() == 1};
+    return {.value = value, .sigma = sigma.empty() ? std::nullopt : std::optional(sigma.front()), .sole = sole};
+}
+
+}  // namespace
+
+ColumnChoice choose_column(const Columns& columns, const std::optional<std::string>& wanted) {
+    const std::vector<std::size_t> choices = checked_value_columns(columns);
+    if (!wanted && choices.size() > 1) {
+        throw InputError({.where = header_place(columns),
+                          .problem = fmt::format("has {} columns of values", choices.size()),
+                          .why = list(columns, choices),
+                          .remedy = "choose one with --column, by its name or its number"});
+    }
+    const std::size_t value = wanted ? find_column(columns, choices, *wanted) : choices.front();
+    return with_sigma(columns, value, choices.size() == 1);
+}
+
+std::vector<ColumnChoice> all_columns(const Columns& columns) {
+    const std::vector<std::size_t> choices = checked_value_columns(columns);
+    std::vector<ColumnChoice> all;
+    for (const std::size_t value : choices) all.push_back(with_sigma(columns, value, choices.size() == 1));
+    return all;
 }
 
 std::string label(const Columns& columns, std::size_t column) {

@@ -63,7 +63,9 @@ std::optional<Sum> largest_sum(const Spectrum& a, const Spectrum& b) {
 
 std::optional<Finding> noise_against_repeats(const Spectrum& spectrum) {
     constexpr double improbable = 1e-3;
-    if (spectrum.repeats.size() < 2 || spectrum.sigma.empty()) return std::nullopt;
+    const bool is_stated = !spectrum.sigma.empty() && std::ranges::min(spectrum.sigma) > 0 &&
+                           spectrum.sigma_source.find("repeats") == std::string::npos;
+    if (spectrum.repeats.size() < 2 || !is_stated) return std::nullopt;
     const auto degrees_of_freedom = static_cast<double>(spectrum.repeats.size() - 1);
     const double ratio = scatter_per_variance(spectrum);
     const boost::math::chi_squared_distribution<double> law(degrees_of_freedom);

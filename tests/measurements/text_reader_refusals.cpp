@@ -55,7 +55,7 @@ TEST(TextReaderRefuses, LinesThatAreNeitherCommentNorHeaderNorNumbers) {
 }
 
 TEST(TextReaderRefuses, MissingAndInfiniteNumbers) {
-    expect_refusal({"nm,R\n400,0.5\n410,\n", "a.csv:3", "R is empty"});
+    expect_refusal({"nm,R\n400,\n410,\n", "a.csv:2", "R is empty"});
     expect_refusal({"nm,R\n400,NaN\n", "a.csv:2", "R is 'NaN'"});
     expect_refusal({"nm,R\n400,-nan\n", "a.csv:2", "R is '-nan'"});
     expect_refusal({"nm,R\n400,inf\n", "a.csv:2", "R is 'inf'"});
