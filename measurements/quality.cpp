@@ -29,25 +29,20 @@ std::vector<Finding> quality_findings(std::span<const Spectrum> spectra, const M
     return findings;
 }
 
-std::vector<Finding> findings_on(std::string_view name, const std::vector<Finding>& findings) {
-    std::vector<Finding> chosen;
-    std::ranges::copy_if(findings, std::back_inserter(chosen),
-                         [&](const Finding& finding) { return finding.spectrum == name; });
-    return chosen;
-}
-
 std::string_view name_of(Severity severity) {
     return severity == Severity::note ? "note" : "warning";
 }
 
-void refuse_findings(const std::vector<Finding>& findings, const std::string& source) {
-    if (findings.empty()) return;
-    const Finding& first = findings.front();
-    const std::string others = findings.size() == 1 ? "" : fmt::format(", first of {} findings", findings.size());
-    throw InputError({.where = fmt::format("{}: {}", source, first.spectrum),
-                      .problem = fmt::format("{}: {}", first.name, first.message),
-                      .why = fmt::format("--strict makes findings errors{}", others),
-                      .remedy = first.remedy});
+void refuse_warnings(const std::vector<Finding>& findings, const std::string& source) {
+    const auto is_warning = [](const Finding& finding) { return finding.severity == Severity::warning; };
+    const auto first = std::ranges::find_if(findings, is_warning);
+    if (first == findings.end()) return;
+    const auto count = std::ranges::count_if(findings, is_warning);
+    throw InputError(
+        {.where = fmt::format("{}: {}", source, first->spectrum),
+         .problem = fmt::format("{}: {}", first->name, first->message),
+         .why = fmt::format("--strict makes it an error{}", count == 1 ? "" : fmt::format(", the first of {}", count)),
+         .remedy = first->remedy});
 }
 
 }  // namespace skinfit

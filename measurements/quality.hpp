@@ -35,13 +35,10 @@ struct ModelledRange {
 /// the order of the set, then those that compare spectra.
 [[nodiscard]] std::vector<Finding> quality_findings(std::span<const Spectrum> spectra, const ModelledRange& modelled);
 
-/// The findings on the spectrum called `name`.
-[[nodiscard]] std::vector<Finding> findings_on(std::string_view name, const std::vector<Finding>& findings);
-
 /// The word for `severity` in tables and JSON.
 [[nodiscard]] std::string_view name_of(Severity severity);
 
-/// Throws InputError naming `source` where there are findings, with the first of them and its remedy.
-void refuse_findings(const std::vector<Finding>& findings, const std::string& source);
+/// Throws InputError naming `source` where there are warnings, with the first of them and its remedy.
+void refuse_warnings(const std::vector<Finding>& findings, const std::string& source);
 
 }  // namespace skinfit

@@ -95,7 +95,6 @@ std::vector<Finding> duplicates(std::span<const Spectrum> spectra) {
     std::vector<Finding> findings;
     for (const auto& [one, other] : twin) {
         findings.push_back({.name = "duplicate",
-                            .severity = Severity::note,
                             .spectrum = spectra[one].name,
                             .message = fmt::format("has the same values as {}", spectra[other].name),
                             .remedy = "keep one of them, unless two specimens were measured: then one is misnamed"});

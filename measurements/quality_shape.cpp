@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <limits>
 
+#include "measurements/interpolation.hpp"
 #include "measurements/quality_checks.hpp"
 #include "measurements/reading_noise.hpp"
 
@@ -14,18 +14,6 @@ namespace skinfit {
 namespace {
 
 constexpr double end_width_nm = 20;
-
-/// Linear between the readings; `at_nm` must lie among them.
-double value_at(const Spectrum& spectrum, double at_nm) {
-    const auto above = std::ranges::lower_bound(spectrum.wavelength_nm, at_nm);
-    assert(above != spectrum.wavelength_nm.end());
-    const auto i = static_cast<std::size_t>(above - spectrum.wavelength_nm.begin());
-    if (*above == at_nm) return spectrum.value[i];
-    assert(i > 0);
-    const double below_nm = spectrum.wavelength_nm[i - 1];
-    const double share = (at_nm - below_nm) / (*above - below_nm);
-    return spectrum.value[i - 1] + share * (spectrum.value[i] - spectrum.value[i - 1]);
-}
 
 /// By how much reading `i` lies beyond both of its neighbours; 0 where it lies between them.
 double prominence(const Spectrum& spectrum, std::size_t i) {

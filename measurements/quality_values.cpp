@@ -96,13 +96,16 @@ std::optional<Finding> dark_everywhere(const Spectrum& spectrum) {
 }
 
 std::optional<Finding> missing_values(const Spectrum& spectrum) {
+    constexpr std::size_t many = 10;  // one in so many
     if (spectrum.missing == 0) return std::nullopt;
+    const std::size_t all = spectrum.missing + spectrum.wavelength_nm.size();
+    const bool is_minor = many * spectrum.missing <= all;
     return Finding{.name = "missing_values",
-                   .severity = Severity::note,
+                   .severity = is_minor ? Severity::note : Severity::warning,
                    .spectrum = spectrum.name,
-                   .message = fmt::format("{} of {} wavelengths have no value", spectrum.missing,
-                                          spectrum.missing + spectrum.wavelength_nm.size()),
-                   .remedy = "none is needed where the others suffice: a fit uses what there is"};
+                   .message = fmt::format("{} of {} wavelengths have no value", spectrum.missing, all),
+                   .remedy = is_minor ? "none is needed: a fit uses what there is"
+                                      : "measure again, or make sure that the others suffice"};
 }
 
 std::optional<Finding> outside_tables(const Spectrum& spectrum, const ModelledRange& modelled) {

@@ -112,6 +112,8 @@ TEST(QualityFindings, CountMissingValues) {
     Spectrum spectrum = made(skin);
     spectrum.missing = 4;
     EXPECT_EQ(missing_values(spectrum).value().message, "4 of 39 wavelengths have no value");
+    EXPECT_EQ(missing_values(spectrum).value().severity, Severity::warning);
+    spectrum.missing = 3;
     EXPECT_EQ(missing_values(spectrum).value().severity, Severity::note);
 }
 
@@ -209,16 +211,16 @@ TEST(QualityFindings, AddReflectanceAndTransmittanceOfOneSpecimen) {
     EXPECT_EQ(names(reflectance_plus_transmittance(pair)), Names{});
 }
 
-TEST(QualityFindings, AreErrorsWhereTheyAreRefused) {
-    EXPECT_NO_THROW(refuse_findings({}, "file.csv"));
+TEST(QualityFindings, AreErrorsWhereWarningsAreRefused) {
+    EXPECT_NO_THROW(refuse_warnings(quality_findings(std::vector{made(skin, 400, 1010)}, tables), "file.csv"));
     try {
-        refuse_findings(quality_findings(std::vector{made([](double) { return 0.05; })}, tables), "file.csv");
+        refuse_warnings(quality_findings(std::vector{made([](double) { return 0.05; })}, tables), "file.csv");
         FAIL();
     } catch (const InputError& error) {
         EXPECT_STREQ(
             error.what(),
             "file.csv: made: dark_everywhere: nowhere above 0.05, which it reaches at 400 nm; skin exceeds 0.09 "
-            "(--strict makes findings errors, first of 2 findings); check the white standard, the contact with "
+            "(--strict makes it an error, the first of 2); check the white standard, the contact with "
             "the skin and that the lamp was on");
     }
 }
