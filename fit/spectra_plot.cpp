@@ -46,6 +46,12 @@ std::string many(std::span<const Spectrum> spectra) {
     return fmt::format("{} spectra: median, and the band of 5 to 95 %", spectra.size());
 }
 
+/// The name, cut where it is long.
+std::string short_name(const Spectrum& spectrum) {
+    const std::string quoted = in_quotes(spectrum.name);
+    return quoted.substr(1, quoted.size() - 2);
+}
+
 std::string axes_script(const std::string& title, const std::filesystem::path& path) {
     return "set encoding utf8\n" + gnuplot_terminal(path, {.width = 1000, .height = 520}) +
            fmt::format("set title {}\nset xlabel 'wavelength, nm'\nset ylabel 'fraction'\n", gnuplot_string(title)) +
@@ -71,7 +77,7 @@ std::string lines_script(std::span<const Spectrum> spectra) {
     for (std::size_t i = 0; i < spectra.size(); ++i) {
         data += gnuplot_data(fmt::format("line{}", i), spectra[i].wavelength_nm, spectra[i].value);
         plots += fmt::format("{}$line{} with linespoints linewidth 2 pointtype 7 pointsize 0.4 title {}",
-                             i == 0 ? "plot " : ", ", i, gnuplot_string(in_quotes(spectra[i].name)));
+                             i == 0 ? "plot " : ", ", i, gnuplot_string(short_name(spectra[i])));
     }
     return data + plots + "\n";
 }
