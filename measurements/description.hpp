@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,10 @@ struct Description {
 
 /// Reads the comments of the form `key: value` with the keys above. Throws InputError for a key with a value that is
 /// not one of its own, for a key given twice, and for a key that looks like a slip of one that changes what is read.
-[[nodiscard]] Description read_description(const Columns& columns);
+[[nodiscard]] Description read_description(const std::string& source, std::span<const Comment> comments);
+
+/// The lines of prose of the form `key: value`, whatever their keys.
+[[nodiscard]] std::vector<FileNote> notes_in(std::span<const Comment> prose);
 
 /// A spectrum without numbers of which the file says this; the specimen is its name.
 [[nodiscard]] Spectrum spectrum_of(const Description& description);

@@ -16,4 +16,35 @@ namespace skinfit {
 [[nodiscard]] std::vector<Spectrum> read_columns(std::string_view text, const std::string& source,
                                                  const ReadOptions& options);
 
+/// One spectrum per row: labels, the first of which names it, then its values. The header holds names of the labels,
+/// then at least three wavelengths in nm that ascend or descend, as in Xiao et al. 2016, Opt. Express 24, 14934:
+/// `id,360,370,...`. The other labels become notes.
+[[nodiscard]] bool holds_spectra_in_rows(std::string_view text);
+[[nodiscard]] std::vector<Spectrum> read_rows(std::string_view text, const std::string& source,
+                                              const ReadOptions& options);
+
+/// The form of NIST data set M38597 (Cooksey, Allen, Tsai 2017, J. Res. NIST 122, 26): prose, a line of subjects, a
+/// line of their readings (R1, R2, ... and Average), then wavelengths and values in columns. Every reading is a
+/// spectrum; the average, called `mean`, carries the subject's readings as its repeats and takes its uncertainty from
+/// them.
+[[nodiscard]] bool holds_nist_m38597(std::string_view text);
+[[nodiscard]] std::vector<Spectrum> read_nist_m38597(std::string_view text, const std::string& source,
+                                                     const ReadOptions& options);
+
+/// CGATS.17 tables, such as Argyll's `.ti3` and `.sp` (Argyll CMS, "File formats"): keywords, fields between
+/// BEGIN_DATA_FORMAT and END_DATA_FORMAT, sets between BEGIN_DATA and END_DATA. The spectrum of a set is in the fields
+/// called SPEC_360, NM_360, nm360 or SPECTRAL_NM360; 0 stands for a missing value. Sets are called by SAMPLE_NAME, else
+/// by SAMPLE_ID. All sets of a table have one unit.
+[[nodiscard]] bool holds_cgats(std::string_view text);
+[[nodiscard]] std::vector<Spectrum> read_cgats(std::string_view text, const std::string& source,
+                                               const ReadOptions& options);
+
+/// JCAMP-DX (McDonald and Wilks 1988, Appl. Spectrosc. 42, 151): labelled records `##LABEL= value` in blocks from
+/// ##TITLE to ##END, which LINK blocks may hold several of; `$$` starts a comment. Read are XYDATA=(X++(Y..Y)), in all
+/// the forms that `decode_jcamp_line` states and with their checks, and XYPOINTS or XYDATA=(XY..XY). XUNITS are
+/// NANOMETERS, MICROMETERS or 1/CM, YUNITS REFLECTANCE or TRANSMITTANCE, with `%` where they are percent.
+[[nodiscard]] bool holds_jcamp_dx(std::string_view text);
+[[nodiscard]] std::vector<Spectrum> read_jcamp_dx(std::string_view text, const std::string& source,
+                                                  const ReadOptions& options);
+
 }  // namespace skinfit

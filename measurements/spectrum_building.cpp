@@ -35,7 +35,12 @@ Grid make_grid(std::span<const double> wavelength_nm, const std::function<GridPl
                       .remedy = "keep one of the two or average them"});
 }
 
-void take_readings(Spectrum& spectrum, const Grid& grid, const Readings& readings, const UnitStatements& statements) {
+namespace {
+
+/// The readings in the order of the grid, in the unit of the file, without those that are missing.
+void take_numbers(Spectrum& spectrum, const Grid& grid, const Readings& readings) {
+    spectrum.wavelength_nm.reserve(grid.order.size());
+    spectrum.value.reserve(grid.order.size());
     for (std::size_t i = 0; i < grid.order.size(); ++i) {
         const double value = readings.value[grid.order[i]];
         if (std::isnan(value)) continue;
@@ -44,12 +49,25 @@ void take_readings(Spectrum& spectrum, const Grid& grid, const Readings& reading
         if (!readings.sigma.empty()) spectrum.sigma.push_back(readings.sigma[grid.order[i]]);
     }
     spectrum.missing = grid.order.size() - spectrum.value.size();
-    if (spectrum.value.empty()) return;
-    const UnitFinding found = find_unit(statements, spectrum.value);
+}
+
+void take_unit(Spectrum& spectrum, const UnitFinding& found) {
     spectrum.unit_rule = found.rule;
     if (found.unit == Unit::fraction) return;
     for (double& value : spectrum.value) value /= 100;
     for (double& sigma : spectrum.sigma) sigma /= 100;
+}
+
+}  // namespace
+
+void take_readings(Spectrum& spectrum, const Grid& grid, const Readings& readings, const UnitStatements& statements) {
+    take_numbers(spectrum, grid, readings);
+    if (!spectrum.value.empty()) take_unit(spectrum, find_unit(statements, spectrum.value));
+}
+
+void take_readings(Spectrum& spectrum, const Grid& grid, const Readings& readings, const UnitFinding& found) {
+    take_numbers(spectrum, grid, readings);
+    take_unit(spectrum, found);
 }
 
 std::optional<Quantity> quantity_named(std::string_view text) {

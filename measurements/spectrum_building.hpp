@@ -39,6 +39,8 @@ struct Readings {
 /// Fills wavelengths, values, sigma, `missing` and `unit_rule` of `spectrum`; percent becomes fractions. Without any
 /// value all of them are empty.
 void take_readings(Spectrum& spectrum, const Grid& grid, const Readings& readings, const UnitStatements& statements);
+/// The same where the unit is known.
+void take_readings(Spectrum& spectrum, const Grid& grid, const Readings& readings, const UnitFinding& found);
 
 /// The quantity that a column's name or a title states; nothing where it names none or both.
 [[nodiscard]] std::optional<Quantity> quantity_named(std::string_view text);

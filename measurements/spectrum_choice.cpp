@@ -35,7 +35,9 @@ Spectrum choose_spectrum(std::vector<Spectrum> spectra, const std::string& sourc
                           .remedy = "choose one by its number"});
     }
     if (!called.empty()) return std::move(spectra[called.front()]);
-    const std::uint64_t number = parse_count(wanted).value_or(0);
+    const bool numbers_are_names =
+        std::ranges::any_of(spectra, [](const Spectrum& spectrum) { return parse_count(spectrum.name).has_value(); });
+    const std::uint64_t number = numbers_are_names ? 0 : parse_count(wanted).value_or(0);
     if (number > 0 && number <= spectra.size()) return std::move(spectra[number - 1]);
     std::vector<std::string_view> names;
     for (const Spectrum& spectrum : spectra) names.push_back(spectrum.name);
@@ -43,7 +45,8 @@ Spectrum choose_spectrum(std::vector<Spectrum> spectra, const std::string& sourc
                       .problem = fmt::format("has no spectrum {}", in_quotes(wanted)),
                       .why = fmt::format("it holds {}; the nearest name is {}", list_of_names(spectra),
                                          in_quotes(nearest_name(wanted, names))),
-                      .remedy = "choose one by its name or by its number, counted from 1"});
+                      .remedy = numbers_are_names ? "choose one by its name"
+                                                  : "choose one by its name or by its number, counted from 1"});
 }
 
 }  // namespace skinfit

@@ -24,6 +24,10 @@ struct Reader {
 
 /// The last takes whatever the others leave, and says what is wrong with it.
 constexpr std::array readers{
+    Reader{.name = "jcamp_dx", .recognises = holds_jcamp_dx, .read = read_jcamp_dx},
+    Reader{.name = "cgats", .recognises = holds_cgats, .read = read_cgats},
+    Reader{.name = "nist_m38597", .recognises = holds_nist_m38597, .read = read_nist_m38597},
+    Reader{.name = "rows", .recognises = holds_spectra_in_rows, .read = read_rows},
     Reader{.name = "columns", .recognises = [](std::string_view) { return true; }, .read = read_columns},
 };
 
@@ -60,10 +64,18 @@ std::vector<std::string_view> reader_names() {
 
 SpectrumFile parse_spectra(std::string_view text, const std::string& source, const ReadOptions& options,
                            const std::optional<std::string>& wanted) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     refuse_zip(text, source);
     const Reader& reader = find_reader(text, wanted);
     SpectrumFile file{
         .source = source, .format = std::string(reader.name), .spectra = reader.read(text, source, options)};
+    if (file.spectra.empty()) {
+        throw InputError({.where = source,
+                          .problem = "holds no numbers",
+                          .why = "every value of every spectrum is missing",
+                          .remedy = "check that the file is complete"});
+    }
     if (options.column && reader.read != read_columns) {
         file.spectra = {choose_spectrum(std::move(file.spectra), source, *options.column)};
     }
