@@ -73,13 +73,14 @@ std::string gnuplot_terminal(const std::filesystem::path& path, const PictureSiz
 
 std::string gnuplot_string(std::string_view text) {
     std::string result = "'";
+    if (text.starts_with('\'')) {  // a doubled quote cannot stand first
+        result += "\u2019";
+        text.remove_prefix(1);
+    }
     for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
-        if (c == '\'') {
-            result += "\u2019";  // doubled, as gnuplot has it, it cannot stand first
-        } else {
-            result += byte < 0x20 || byte == 0x7f ? ' ' : c;
-        }
+        if (c == '\'') result += '\'';  // between single quotes only the quote itself is special
+        result += byte < 0x20 || byte == 0x7f ? ' ' : c;
     }
     return result + "'";
 }

@@ -92,12 +92,12 @@ std::string findings_text(const std::vector<Finding>& findings, std::size_t spec
         }
         const std::string_view severity = first.severity == Severity::warning ? "WARNING" : "note";
         if (spectra == 1) {
-            text += fmt::format("  {} {}: {};\n      {}\n", severity, first.name, first.message, first.remedy);
+            text += fmt::format("  {} {}: {}\n      remedy: {}\n", severity, first.name, first.message, first.remedy);
             continue;
         }
         text +=
             fmt::format("  {} {}: {} of {} spectra: {}\n", severity, first.name, names.size(), spectra, listed(names));
-        text += fmt::format("      {} {};\n      {}\n", first.spectrum, first.message, first.remedy);
+        text += fmt::format("      {}: {}\n      remedy: {}\n", first.spectrum, first.message, first.remedy);
     }
     return text;
 }

@@ -114,15 +114,16 @@ std::optional<Finding> outside_tables(const Spectrum& spectrum, const ModelledRa
     });
     const auto outside = spectrum.wavelength_nm.size() - static_cast<std::size_t>(inside);
     if (outside == 0) return std::nullopt;
-    return Finding{.name = "outside_tables",
-                   .severity = inside > 0 ? Severity::note : Severity::warning,
-                   .spectrum = spectrum.name,
-                   .message = fmt::format("{} of {} wavelengths, {:g} to {:g} nm, lie outside the model's tables, {:g} "
-                                          "to {:g} nm",
-                                          outside, spectrum.wavelength_nm.size(), spectrum.wavelength_nm.front(),
-                                          spectrum.wavelength_nm.back(), modelled.lowest_nm, modelled.highest_nm),
-                   .remedy = inside > 0 ? "none is needed: a fit leaves those out"
-                                        : "measure within the tables, and check that wavelengths are in nm"};
+    return Finding{
+        .name = "outside_tables",
+        .severity = inside > 0 ? Severity::note : Severity::warning,
+        .spectrum = spectrum.name,
+        .message = fmt::format("{} of the {} wavelengths from {:g} to {:g} nm lie outside the model's tables, {:g} "
+                               "to {:g} nm",
+                               outside, spectrum.wavelength_nm.size(), spectrum.wavelength_nm.front(),
+                               spectrum.wavelength_nm.back(), modelled.lowest_nm, modelled.highest_nm),
+        .remedy = inside > 0 ? "none is needed: a fit leaves them out"
+                             : "measure within the tables, and check that wavelengths are in nm"};
 }
 
 }  // namespace skinfit
