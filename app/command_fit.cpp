@@ -5,6 +5,7 @@
 #include "fit/configuration_json.hpp"
 #include "fit/file_settings.hpp"
 #include "fit/fit.hpp"
+#include "fit/inspection.hpp"
 #include "fit/report.hpp"
 #include "measurements/text_reader.hpp"
 
@@ -19,6 +20,7 @@ struct FitCommand {
     std::vector<std::string> free;
     std::vector<std::string> fix;
     bool cross_check = false;
+    bool strict = false;
     std::string solver;
     std::string uncertainty;
     std::filesystem::path samples;
@@ -58,9 +60,12 @@ int run(const FitCommand& command) {
     const Configuration configuration =
         fit_configuration(command, with_file_settings(default_configuration(), spectrum));
     check_samples(command, configuration);
+    const std::vector<Finding> findings = findings_before_fit(configuration, spectrum);
+    if (command.strict) refuse_warnings(findings, spectrum.source);
     const auto limit = thread_limit(command.shared);
-    const FitResult result = fit_spectrum(configuration, spectrum,
-                                          {.cross_check = command.cross_check, .cache = cache_from(command.shared)});
+    const FitResult result =
+        fit_spectrum(configuration, spectrum,
+                     {.cross_check = command.cross_check, .cache = cache_from(command.shared), .findings = findings});
     if (!command.samples.empty()) {
         write_file_atomically(command.samples, samples_csv(*result.posterior, result.free));
     }
@@ -88,6 +93,7 @@ void add_fit_command(CLI::App& app, int& exit_code) {
     fit->add_option("--samples", command->samples, "write the draws of the posterior there, as CSV")->type_name("FILE");
     fit->add_option("--solver", command->solver,
                     "ceres (exact derivatives), slsqp (the same), bobyqa, sbplx (none), crs2 (global)");
+    fit->add_flag("--strict", command->strict, "refuse a spectrum with warnings; `skinfit inspect` shows them");
     fit->add_flag("--cross-check", command->cross_check, "fit by the other solvers too and compare");
     add_shared_options(*fit, command->shared, {"text", "json"});
     fit->footer("Exit code 0: trustworthy; 1: a result with a warning; 2: bad input; 3: internal error.");

@@ -165,6 +165,7 @@ FitResult fit_spectrum(const Configuration& configuration, const Spectrum& spect
     result.spectrum_source = spectrum.source;
     result.unit_rule = spectrum.unit_rule;
     result.sigma_source = problem.sigma_source;
+    result.findings = options.findings;
     result.wavelength_nm = problem.wavelength_nm;
     result.measured = problem.measured;
     result.sigma = problem.sigma;

@@ -1,5 +1,6 @@
 #include "core/version.hpp"
 #include "fit/configuration_json.hpp"
+#include "fit/inspection.hpp"
 #include "fit/report.hpp"
 
 namespace skinfit {
@@ -110,6 +111,7 @@ Json json_report(const FitResult& result) {
                         {"source", result.spectrum_source},
                         {"unit_rule", result.unit_rule},
                         {"sigma_source", result.sigma_source}};
+    json["findings"] = findings_json(result.findings);
     json["wavelength_nm"] = result.wavelength_nm;
     json["measured"] = result.measured;
     json["sigma"] = result.sigma;

@@ -10,6 +10,7 @@
 #include "fit/minimum.hpp"
 #include "fit/multistart.hpp"
 #include "fit/uncertainty.hpp"
+#include "measurements/quality.hpp"
 
 namespace skinfit {
 
@@ -40,7 +41,8 @@ struct FitResult {
     std::string spectrum_source;
     std::string unit_rule;
     std::string sigma_source;
-    double rmse = 0.0;  ///< of reading minus measurement, fraction
+    std::vector<Finding> findings;  ///< on the spectrum, made before the fit
+    double rmse = 0.0;              ///< of reading minus measurement, fraction
     double chi2 = 0.0;  ///< of the data alone, whitened by noise and discrepancy: without weights, loss and priors
     double cost = 0.0;  ///< what was minimised
     /// The expectation of chi2 where model, noise and priors are right: wavelengths minus parameters as far as the data
