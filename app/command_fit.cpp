@@ -16,6 +16,7 @@ struct FitCommand {
     SharedOptions shared;
     std::string file;
     std::string column;
+    std::string reader;
     std::string unit;
     std::vector<std::string> free;
     std::vector<std::string> fix;
@@ -55,7 +56,8 @@ void check_samples(const FitCommand& command, const Configuration& configuration
 int run(const FitCommand& command) {
     const Configuration stated = fit_configuration(command, default_configuration());
     check_output(command.shared, {command.file});
-    const Spectrum spectrum = read_spectrum(command.file, {.column = stated.column, .unit = stated.unit});
+    const Spectrum spectrum = read_spectrum(command.file, {.column = stated.column, .unit = stated.unit},
+                                            command.reader.empty() ? std::nullopt : std::optional(command.reader));
     // What the file states holds where the configuration does not state it.
     const Configuration configuration =
         fit_configuration(command, with_file_settings(default_configuration(), spectrum));
@@ -79,9 +81,11 @@ int run(const FitCommand& command) {
 void add_fit_command(CLI::App& app, int& exit_code) {
     const auto command = std::make_shared<FitCommand>();
     CLI::App* const fit = app.add_subcommand("fit", "explain a measured spectrum by skin biology");
-    fit->add_option("FILE", command->file, "spectrum: text of columns, the first the wavelength in nm")->required();
+    fit->add_option("FILE", command->file, "spectrum: text of columns or rows, JCAMP-DX, CGATS (.ti3) or JSON")
+        ->required();
     fit->add_option("--column", command->column, "of a file with several spectra: its name, or its number from 1")
         ->type_name("NAME");
+    add_reader_option(*fit, command->reader);
     fit->add_option("--unit", command->unit, "of the values: fraction or percent; found by a rule otherwise");
     fit->add_option("--free", command->free, "adjust these parameters too; `skinfit config show` lists their names")
         ->type_name("NAME,NAME")
