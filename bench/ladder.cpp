@@ -268,6 +268,7 @@ BenchResult measure_ladder(const BenchSizes& sizes) {
         result.rungs[i + 1].accuracy = accuracy_of(*in_order[i], references);
     }
     measure_threads(work, ensemble, emulator, result);
+    result.intervals = measure_intervals(work, emulator, solved);
     result.peak_mb = peak_memory_mb();
     result.whole = whole.elapsed();
     return result;
