@@ -10,6 +10,7 @@
 #include "core/text.hpp"
 #include "measurements/cells.hpp"
 #include "measurements/header.hpp"
+#include "measurements/limits.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
@@ -43,6 +44,22 @@ char find_separator(const std::vector<Row>& rows) {
                       .why = fmt::format("line {} has {}", first_line, width),
                       .remedy = "give every line one field per column, put names with separators in double quotes and "
                                 "# before a title, and write decimal points, not commas"});
+}
+
+void check_length(std::string_view line, std::size_t number, const std::string& source) {
+    if (line.size() <= longest_line_bytes) return;
+    throw InputError({.where = fmt::format("{}:{}", source, number),
+                      .problem = fmt::format("has {} MiB in one line", line.size() >> 20U),
+                      .why = fmt::format("at most {} are read", longest_line_bytes >> 20U),
+                      .remedy = "check that this is a file of spectra"});
+}
+
+void check_column_count(const Columns& columns) {
+    if (columns.width <= most_columns) return;
+    throw InputError({.where = at_line(columns, columns.rows.front().line),
+                      .problem = fmt::format("has {} columns", columns.width),
+                      .why = fmt::format("at most {} are read", most_columns),
+                      .remedy = "split the file, or check that it is one of spectra"});
 }
 
 /// What the rows look like once they are cut.
@@ -170,6 +187,7 @@ Lines split_comments(std::string_view text, const std::string& source) {
     LineReader reader(text);
     while (const auto line = reader.next()) {
         ++number;
+        check_length(*line, number, source);
         std::size_t size = line->find('#');
         if (size != std::string_view::npos) size = find_unquoted(*line, "#");
         const std::string_view content = line->substr(0, size);
@@ -208,6 +226,7 @@ Columns split_columns(std::string_view text, const std::string& source) {
     take_words(columns, words, shape);
     refuse_decimal_commas(columns, shape);
     refuse_other_widths(columns, shape);
+    check_column_count(columns);
     return columns;
 }
 

@@ -10,6 +10,7 @@
 #include "core/text.hpp"
 #include "measurements/cells.hpp"
 #include "measurements/jcamp_values.hpp"
+#include "measurements/limits.hpp"
 #include "measurements/readers.hpp"
 #include "measurements/spectrum_building.hpp"
 #include "measurements/words.hpp"
@@ -140,6 +141,10 @@ Points equal_steps(const BlockReader& block, const Record& data) {
     const double first = block.number("FIRSTX");
     const double last = block.number("LASTX");
     const double count = block.number("NPOINTS");
+    if (!(count >= 1 && count <= static_cast<double>(most_jcamp_points))) {
+        refuse(block.source(), block.record("NPOINTS")->line(), fmt::format("##NPOINTS= is {}", count),
+               fmt::format("1 to {} are read", most_jcamp_points), "correct it, or split the file");
+    }
     const double x_factor = block.number("XFACTOR", 1.0);
     const double y_factor = block.number("YFACTOR", 1.0);
     const double step = count > 1 ? (last - first) / (count - 1) : 0;
@@ -162,9 +167,12 @@ Points equal_steps(const BlockReader& block, const Record& data) {
         }
         repeats_last = decoded.ends_in_difference;
         for (const double ordinate : ordinates) points.y.push_back(ordinate * y_factor);
+        if (static_cast<double>(points.y.size()) > count) break;
     }
     if (static_cast<double>(points.y.size()) != count) {
-        refuse(block.source(), data.line(), fmt::format("holds {} points", points.y.size()),
+        refuse(block.source(), data.line(),
+               fmt::format("holds {}{} points", points.y.size(),
+                           static_cast<double>(points.y.size()) > count ? " or more" : ""),
                fmt::format("##NPOINTS= promises {}", count), "check that the file is complete and unchanged");
     }
     for (std::size_t i = 0; i < points.y.size(); ++i) {
@@ -231,6 +239,7 @@ Spectrum spectrum_of(const BlockReader& block, const Record& data, const ReadOpt
     }
     Spectrum spectrum;
     spectrum.name = block.text("TITLE");
+    if (spectrum.name.empty()) spectrum.name = fmt::format("line {}", data.line());
     spectrum.source = block.source();
     spectrum.line = data.line();
     spectrum.quantity = quantity_of(block);
@@ -262,13 +271,18 @@ bool holds_jcamp_dx(std::string_view text) {
 std::vector<Spectrum> read_jcamp_dx(std::string_view text, const std::string& source, const ReadOptions& options) {
     refuse_binary(text, source);
     std::vector<Spectrum> spectra;
+    std::size_t points = 0;
     for (const Block& block : blocks_in(text, source)) {
         const BlockReader reader(block, source);
         for (const std::string_view label : {"XYDATA", "XYPOINTS"}) {
             const Record* const data = reader.record(label);
             if (data == nullptr) continue;
             spectra.push_back(spectrum_of(reader, *data, options));
+            points += spectra.back().value.size();
             if (spectra.back().value.empty()) spectra.pop_back();
+            if (points <= most_jcamp_points) continue;
+            refuse(source, data->line(), "has too many points",
+                   fmt::format("at most {} are read from one file", most_jcamp_points), "split the file");
         }
     }
     if (spectra.empty()) {

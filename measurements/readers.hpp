@@ -47,4 +47,11 @@ namespace skinfit {
 [[nodiscard]] std::vector<Spectrum> read_jcamp_dx(std::string_view text, const std::string& source,
                                                   const ReadOptions& options);
 
+/// JSON: a spectrum, a list of them, or `{"spectra": [...]}` as `spectra_json` writes. A spectrum is an object of
+/// `value` (or `values`), null where one is missing, and of `wavelength_nm` or `start` and `step` in nm; beside them
+/// `sigma`, and the names under which comments of text files describe a measurement. Other names become notes.
+[[nodiscard]] bool holds_json(std::string_view text);
+[[nodiscard]] std::vector<Spectrum> read_json(std::string_view text, const std::string& source,
+                                              const ReadOptions& options);
+
 }  // namespace skinfit

@@ -76,7 +76,7 @@ std::string_view first_content(std::string_view text) {
     LineReader reader(text);
     while (const auto line = reader.next()) {
         const std::string_view content = trimmed(*line);
-        if (!content.empty() && content.front() != '#') return content;
+        if (!content.empty() && content.front() != '#') return *line;
     }
     return {};
 }

@@ -24,6 +24,7 @@ struct Reader {
 
 /// The last takes whatever the others leave, and says what is wrong with it.
 constexpr std::array readers{
+    Reader{.name = "json", .recognises = holds_json, .read = read_json},
     Reader{.name = "jcamp_dx", .recognises = holds_jcamp_dx, .read = read_jcamp_dx},
     Reader{.name = "cgats", .recognises = holds_cgats, .read = read_cgats},
     Reader{.name = "nist_m38597", .recognises = holds_nist_m38597, .read = read_nist_m38597},

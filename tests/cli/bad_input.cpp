@@ -151,7 +151,7 @@ TEST_F(BadInput, Outputs) {
 }
 
 TEST_F(BadInput, CommandLines) {
-    expect_refused({}, "give one of fit, simulate, sensitivity, design, gonio, validate, bench, config");
+    expect_refused({}, "give one of fit, simulate, sensitivity, design, gonio, validate, bench, convert, config");
     expect_refused({"fitt"}, "did you mean `skinfit fit`?");
     expect_refused({"--sed", "1"}, "unknown option --sed");
     expect_refused({"config"}, "give one of show, schema, check");
