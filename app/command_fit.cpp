@@ -1,3 +1,7 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "app/commands.hpp"
 #include "app/shared_options.hpp"
 #include "core/file.hpp"
@@ -14,12 +18,13 @@ namespace {
 
 struct FitCommand {
     SharedOptions shared;
-    std::string file;
-    std::string column;
+    std::vector<std::string> files;
+    std::vector<std::string> columns;
     std::string reader;
     std::string unit;
     std::vector<std::string> free;
     std::vector<std::string> fix;
+    std::vector<std::string> own;
     bool cross_check = false;
     bool strict = false;
     std::string solver;
@@ -35,9 +40,32 @@ Configuration fit_configuration(const FitCommand& command, const Configuration& 
     if (!command.uncertainty.empty()) {
         configuration = configured_by_word(configuration, "uncertainty", command.uncertainty, "--uncertainty");
     }
-    if (!command.column.empty()) configuration.column = command.column;
+    if (command.columns.size() == 1) configuration.column = command.columns.front();
     if (!command.unit.empty()) configuration = configured_by_word(configuration, "unit", command.unit, "--unit");
-    return with_free_and_fixed(configuration, command.free, command.fix);
+    configuration = with_free_and_fixed(configuration, command.free, command.fix);
+    for (const std::string& names : command.own) configuration = with_own(configuration, names, "--own");
+    return configuration;
+}
+
+/// One per file and column: columns belong to the one file, or to the files in their order, or the one to all files.
+std::vector<Spectrum> read_all(const FitCommand& command, const Configuration& stated) {
+    const std::size_t files = command.files.size();
+    const std::size_t columns = command.columns.size();
+    if (files > 1 && columns > 1 && files != columns) {
+        throw InputError({.where = "--column",
+                          .problem = fmt::format("{} columns for {} files", columns, files),
+                          .why = "which column belongs to which file is not clear",
+                          .remedy = "give one for each file, or one for all"});
+    }
+    std::vector<Spectrum> spectra;
+    for (std::size_t k = 0; k < std::max(files, columns); ++k) {
+        const std::string& file = command.files[files == 1 ? 0 : k];
+        ReadOptions options{.column = stated.column, .unit = stated.unit};
+        if (columns > 1) options.column = command.columns[k];
+        spectra.push_back(
+            read_spectrum(file, options, command.reader.empty() ? std::nullopt : std::optional(command.reader)));
+    }
+    return spectra;
 }
 
 void check_samples(const FitCommand& command, const Configuration& configuration) {
@@ -50,26 +78,29 @@ void check_samples(const FitCommand& command, const Configuration& configuration
     }
     SharedOptions samples = command.shared;
     samples.out = command.samples;
-    check_output(samples, {command.file, command.shared.out});
+    std::vector<std::filesystem::path> others(command.files.begin(), command.files.end());
+    others.emplace_back(command.shared.out);
+    check_output(samples, others);
 }
 
 int run(const FitCommand& command) {
     const Configuration stated = fit_configuration(command, default_configuration());
-    check_output(command.shared, {command.file});
-    const Spectrum spectrum = read_spectrum(command.file, {.column = stated.column, .unit = stated.unit},
-                                            command.reader.empty() ? std::nullopt : std::optional(command.reader));
+    check_output(command.shared, {command.files.begin(), command.files.end()});
+    const std::vector<Spectrum> spectra = read_all(command, stated);
     // What the file states holds where the configuration does not state it.
     const Configuration configuration =
-        fit_configuration(command, with_file_settings(default_configuration(), spectrum));
+        fit_configuration(command, with_file_settings(default_configuration(), spectra));
     check_samples(command, configuration);
-    const std::vector<Finding> findings = findings_before_fit(configuration, spectrum);
-    if (command.strict) refuse_warnings(findings, spectrum.source);
+    const std::vector<Finding> findings = findings_before_fit(configuration, spectra);
+    if (command.strict) refuse_warnings(findings, spectra.front().source);
     const auto limit = thread_limit(command.shared);
     const FitResult result =
-        fit_spectrum(configuration, spectrum,
-                     {.cross_check = command.cross_check, .cache = cache_from(command.shared), .findings = findings});
+        fit_spectra(configuration, spectra,
+                    {.cross_check = command.cross_check, .cache = cache_from(command.shared), .findings = findings});
     if (!command.samples.empty()) {
-        write_file_atomically(command.samples, samples_csv(*result.posterior, result.free));
+        std::vector<std::string> names;
+        for (const FittedParameter& free : result.free) names.push_back(free.name);
+        write_file_atomically(command.samples, samples_csv(*result.posterior, names));
     }
     write_output(command.shared,
                  command.shared.format == "json" ? json_text(json_report(result)) : text_report(result));
@@ -81,10 +112,16 @@ int run(const FitCommand& command) {
 void add_fit_command(CLI::App& app, int& exit_code) {
     const auto command = std::make_shared<FitCommand>();
     CLI::App* const fit = app.add_subcommand("fit", "explain a measured spectrum by skin biology");
-    fit->add_option("FILE", command->file, "spectrum: text of columns or rows, JCAMP-DX, CGATS (.ti3) or JSON")
+    fit->add_option("FILE", command->files,
+                    "spectrum: text of columns or rows, JCAMP-DX, CGATS (.ti3) or JSON; several are explained together")
         ->required();
-    fit->add_option("--column", command->column, "of a file with several spectra: its name, or its number from 1")
-        ->type_name("NAME");
+    fit->add_option(
+           "--column", command->columns,
+           "of a file with several spectra: its name, or its number from 1; given again, one for each file, or "
+           "several of one file")
+        ->type_name("NAME")
+        ->expected(1)
+        ->take_all();
     add_reader_option(*fit, command->reader);
     fit->add_option("--unit", command->unit, "of the values: fraction or percent; found by a rule otherwise");
     fit->add_option("--free", command->free, "adjust these parameters too; `skinfit config show` lists their names")
@@ -92,6 +129,11 @@ void add_fit_command(CLI::App& app, int& exit_code) {
         ->expected(1)
         ->take_all();
     fit->add_option("--fix", command->fix, "hold these parameters")->type_name("NAME,NAME")->expected(1)->take_all();
+    fit->add_option("--own", command->own,
+                    "adjust these parameters, with a value of its own in each of several spectra")
+        ->type_name("NAME,NAME")
+        ->expected(1)
+        ->take_all();
     fit->add_option("--uncertainty", command->uncertainty,
                     "what intervals come from: covariance, profile (right at bounds) or posterior");
     fit->add_option("--samples", command->samples, "write the draws of the posterior there, as CSV")->type_name("FILE");

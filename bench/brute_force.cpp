@@ -19,7 +19,7 @@ double chi2_at(const std::vector<double>& positions, std::vector<double>& /*grad
     auto* const counter = static_cast<Counter*>(data);
     ++counter->evaluations;
     const FitProblem& problem = *counter->problem;
-    Experiment experiment = problem.experiment;
+    Experiment experiment = problem.only().experiment;
     const std::vector<double> values = from_unit_box(problem, positions);
     for (std::size_t i = 0; i < values.size(); ++i) {
         value_of(experiment.values, problem.free[i].parameter) = values[i];
@@ -27,8 +27,8 @@ double chi2_at(const std::vector<double>& positions, std::vector<double>& /*grad
     double chi2 = 0.0;
     std::size_t row = 0;
     for (const Reading& reading :
-         read_by_walk(experiment, problem.wavelength_nm, problem.walk.rays, problem.walk.seed)) {
-        const double residual = (reading.reflectance - problem.measured[row]) / problem.sigma[row];
+         read_by_walk(experiment, problem.only().wavelength_nm, problem.only().walk.rays, problem.only().walk.seed)) {
+        const double residual = (reading.reflectance - problem.only().measured[row]) / problem.only().sigma[row];
         chi2 += residual * residual;
         ++row;
     }

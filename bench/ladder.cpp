@@ -122,12 +122,12 @@ BenchThreads on_one_and_two_threads(const std::string& name, int runs, const std
 }
 
 PathEnsemble recorded(const FitProblem& problem) {
-    return PathEnsemble::trace(problem.experiment.sample(), problem.wavelength_nm, problem.walk);
+    return PathEnsemble::trace(problem.only().experiment.sample(), problem.only().wavelength_nm, problem.only().walk);
 }
 
 std::vector<PerLayer<double>> table_1_depths(const FitProblem& problem) {
-    return optical_depths(problem.experiment.values.skin,
-                          extinctions(problem.wavelength_nm, problem.experiment.edition));
+    return optical_depths(problem.only().experiment.values.skin,
+                          extinctions(problem.only().wavelength_nm, problem.only().experiment.edition));
 }
 
 /// Recording, responding and fitting in bulk on one thread and on two, and what follows from them.
@@ -136,8 +136,8 @@ void measure_threads(const BenchWork& work, const PathEnsemble& ensemble, const 
     const FitProblem& problem = work.problem;
     const std::vector<PerLayer<double>> depths = table_1_depths(problem);
     result.threads.push_back(on_one_and_two_threads("record", 3, [&] { (void)recorded(problem); }));
-    result.recorded_rays_per_s_and_core = static_cast<double>(problem.walk.rays) *
-                                          static_cast<double>(problem.wavelength_nm.size()) /
+    result.recorded_rays_per_s_and_core = static_cast<double>(problem.only().walk.rays) *
+                                          static_cast<double>(problem.only().wavelength_nm.size()) /
                                           result.threads.back().one_cpu_s;
     result.threads.push_back(on_one_and_two_threads("respond", 30, [&] { (void)ensemble.respond(depths); }));
 
@@ -217,13 +217,13 @@ BenchResult measure_ladder(const BenchSizes& sizes) {
     result.build = building.elapsed();
     result.certified_error = emulator.certified_error();
     const PathEnsemble ensemble = recorded(problem);
-    const ForwardModel solver = angular_solver(problem.experiment);
+    const ForwardModel solver = angular_solver(problem.only().experiment);
     const std::size_t solved = std::min(sizes.spectra, sizes.solver_spectra);
 
     const LeanFitter fitter(problem, emulator);
     const TimedFits lean = timed_fits(work, sizes.spectra, [&](const FitProblem& each) {
-        const Eigen::Map<const Eigen::VectorXd> measured(each.measured.data(),
-                                                         static_cast<Index>(each.measured.size()));
+        const Eigen::Map<const Eigen::VectorXd> measured(each.only().measured.data(),
+                                                         static_cast<Index>(each.only().measured.size()));
         const BulkFit fit = fitter.fit(measured);
         return TimedFit{.values = fit.values, .chi2 = fit.chi2, .evaluations = fit.evaluations};
     });
@@ -268,6 +268,7 @@ BenchResult measure_ladder(const BenchSizes& sizes) {
         result.rungs[i + 1].accuracy = accuracy_of(*in_order[i], references);
     }
     measure_threads(work, ensemble, emulator, result);
+    result.intervals = measure_intervals(work, emulator, solved);
     result.peak_mb = peak_memory_mb();
     result.whole = whole.elapsed();
     return result;

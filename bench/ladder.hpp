@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/intervals.hpp"
 #include "bench/stopwatch.hpp"
 
 namespace skinfit {
@@ -55,6 +56,7 @@ struct BenchResult {
     double bulk_spectra_per_s;      ///< by the clock, two threads
     double bulk_spectra_per_cpu_s;  ///< by processor time, one thread
     int bulk_not_converged;
+    BenchIntervals intervals;
     double certified_error;
     Duration build;
     double recorded_rays_per_s_and_core;  ///< by processor time, one thread

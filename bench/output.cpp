@@ -56,6 +56,13 @@ Json bench_json(const BenchResult& result) {
     json["bulk_spectra_per_cpu_s"] = result.bulk_spectra_per_cpu_s;
     json["bulk_not_converged"] = result.bulk_not_converged;
     for (const BenchThreads& each : result.threads) json["two_threads_over_one"][each.name] = each.one_s / each.two_s;
+    json["intervals"] = {{"spectra", result.intervals.spectra},
+                         {"parameters", result.intervals.profile_parameters},
+                         {"profile_wall_s", result.intervals.profile.wall_s},
+                         {"profile_cpu_s", result.intervals.profile.cpu_s},
+                         {"posterior_wall_s", result.intervals.posterior.wall_s},
+                         {"posterior_cpu_s", result.intervals.posterior.cpu_s},
+                         {"least_effective_draws", result.intervals.least_effective_draws}};
     json["emulator"] = {{"certified_error", result.certified_error},
                         {"build_s", result.build.wall_s},
                         {"build_cpu_s", result.build.cpu_s}};
@@ -102,14 +109,17 @@ std::string bench_text(const BenchResult& result) {
     return text +
            fmt::format(
                "bulk{:>40.0f} spectra per s by the clock, {:.0f} per s of one processor; {} of {} not converged\n"
+               "profile intervals{:>27.2g} s for {} parameters, emulator, median of {} spectra\n"
+               "posterior{:>35.2g} s to 1000 effective draws of each ({:.0f} at least)\n"
                "recorded rays{:>31.3g} per s and core\n"
                "standard error at Table 1{:>19.5f} at most, median {:.5f}\n"
                "emulator{:>36.1e} certified error, built in {:.2f} s\n"
                "whole run{:>35.0f} s, {:.0f} MB at most\n",
                result.bulk_spectra_per_s, result.bulk_spectra_per_cpu_s, result.bulk_not_converged,
-               result.sizes.spectra, result.recorded_rays_per_s_and_core, result.largest_standard_error,
-               result.median_standard_error, result.certified_error, result.build.wall_s, result.whole.wall_s,
-               result.peak_mb);
+               result.sizes.spectra, result.intervals.profile.wall_s, result.intervals.profile_parameters,
+               result.intervals.spectra, result.intervals.posterior.wall_s, result.intervals.least_effective_draws,
+               result.recorded_rays_per_s_and_core, result.largest_standard_error, result.median_standard_error,
+               result.certified_error, result.build.wall_s, result.whole.wall_s, result.peak_mb);
 }
 
 }  // namespace skinfit

@@ -36,7 +36,7 @@ void add(PlotLine& line, double x, double y) {
 }
 
 PathEnsemble recorded(const FitProblem& problem) {
-    return PathEnsemble::trace(problem.experiment.sample(), problem.wavelength_nm, problem.walk);
+    return PathEnsemble::trace(problem.only().experiment.sample(), problem.only().wavelength_nm, problem.only().walk);
 }
 
 FitProblem problem_with(const Configuration& configuration, const std::vector<double>& wavelengths_nm) {
@@ -62,7 +62,7 @@ struct EngineLines {
             return cost([&] { (void)objective.misfit(at); });
         };
         add(paths, x, evaluation(recorded(problem)));
-        add(solver, x, evaluation(angular_solver(problem.experiment)));
+        add(solver, x, evaluation(angular_solver(problem.only().experiment)));
         add(emulator, x, evaluation(Emulator::build(emulator_domain(problem))));
     }
 };
@@ -113,8 +113,10 @@ ScalingPlot against_rays() {
         add(recording, size, cost([&] { (void)recorded(problem); }));
         add(evaluation, size, cost([&] { (void)objective.misfit(starts(problem)); }));
         if (rays > 10'000) continue;  // seconds each
-        add(analog, size,
-            cost([&] { (void)read_by_walk(problem.experiment, problem.wavelength_nm, rays, problem.walk.seed); }));
+        add(analog, size, cost([&] {
+                (void)read_by_walk(problem.only().experiment, problem.only().wavelength_nm, rays,
+                                   problem.only().walk.seed);
+            }));
     }
     return {.name = "rays",
             .plot = {.title = "31 wavelengths, five free pigments",
@@ -134,10 +136,10 @@ ScalingPlot against_free_parameters() {
           Parameter::bilirubin_g_per_l, Parameter::reticular_blood_fraction, Parameter::dermis_carotene_g_per_l,
           Parameter::epidermis_thickness_cm, Parameter::scale}) {
         work.configuration.free[static_cast<std::size_t>(parameter)] = true;
-        const FitProblem problem = problem_with(work.configuration, work.problem.wavelength_nm);
+        const FitProblem problem = problem_with(work.configuration, work.problem.only().wavelength_nm);
         lines.measure(problem, ++count);
         const LeanFitter fitter(problem, Emulator::build(emulator_domain(problem)));
-        const Eigen::Map<const Eigen::VectorXd> measured(problem.measured.data(), work.spectra.rows());
+        const Eigen::Map<const Eigen::VectorXd> measured(problem.only().measured.data(), work.spectra.rows());
         add(fit, count, cost([&] { (void)fitter.fit(measured); }));
     }
     return {.name = "free_parameters",

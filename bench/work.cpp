@@ -37,7 +37,7 @@ BenchWork bench_work(std::size_t count, std::uint64_t rays) {
         .spectra = Eigen::MatrixXd(static_cast<Eigen::Index>(wavelengths_nm.size()), static_cast<Eigen::Index>(count))};
     const auto points = spread_points(count, work.problem.free.size(), configuration.seed);
     for (std::size_t i = 0; i < count; ++i) {
-        Experiment experiment = work.problem.experiment;
+        Experiment experiment = work.problem.only().experiment;
         const std::vector<double> values = from_unit_box(work.problem, points[i]);
         for (std::size_t j = 0; j < values.size(); ++j) {
             value_of(experiment.values, work.problem.free[j].parameter) = values[j];
@@ -55,7 +55,7 @@ BenchWork bench_work(std::size_t count, std::uint64_t rays) {
 FitProblem problem_of(const BenchWork& work, Eigen::Index number) {
     FitProblem problem = work.problem;
     const auto measured = work.spectra.col(number);
-    problem.measured.assign(measured.begin(), measured.end());
+    problem.only().measured.assign(measured.begin(), measured.end());
     return problem;
 }
 

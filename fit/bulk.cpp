@@ -168,7 +168,7 @@ BulkFit described(const FitProblem& problem, const Path& path) {
                 .evaluations = path.evaluations};
     double squares = 0.0;
     for (Index i = 0; i < point.residuals.size(); ++i) {
-        const double difference = point.residuals[i] * problem.sigma[static_cast<std::size_t>(i)];
+        const double difference = point.residuals[i] * problem.only().sigma[static_cast<std::size_t>(i)];
         squares += difference * difference;
     }
     fit.rmse = std::sqrt(squares / static_cast<double>(point.residuals.size()));
@@ -225,9 +225,9 @@ LeanFitter::LeanFitter(const FitProblem& problem, const Emulator& emulator, cons
 }
 
 BulkFit LeanFitter::fit(const Eigen::VectorXd& spectrum) const {
-    assert(spectrum.size() == static_cast<Index>(problem_->wavelength_nm.size()));
+    assert(spectrum.size() == static_cast<Index>(problem_->only().wavelength_nm.size()));
     const Eigen::VectorXd measured =
-        spectrum.cwiseQuotient(Eigen::Map<const Eigen::VectorXd>(problem_->sigma.data(), spectrum.size()));
+        spectrum.cwiseQuotient(Eigen::Map<const Eigen::VectorXd>(problem_->only().sigma.data(), spectrum.size()));
     const std::vector<Vector> starts = starts_.closest(measured, options_.starts);
     if (starts.empty()) return not_fitted(problem_->free.size());
     return described(*problem_, lowest(model_, measured, starts));

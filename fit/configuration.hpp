@@ -118,6 +118,7 @@ struct Configuration {
     std::array<std::optional<Prior>, derived_count> derived_priors{};  ///< unset: none
     ParameterValues values;                                            ///< fixed values, and starts of free parameters
     std::array<bool, parameter_count> free{};
+    std::array<bool, parameter_count> own{};  ///< of those: with a value in each of several spectra
     std::array<Bounds, parameter_count> bounds{};
 };
 

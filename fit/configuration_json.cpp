@@ -43,6 +43,15 @@ double read_value(const Json& value, const ParameterInfo& info, const std::strin
                                             info.unit.empty() ? "" : " ", info.unit)});
 }
 
+/// Sets the marks of the parameters in `names`, a list with commas.
+void mark(std::array<bool, parameter_count>& marks, std::string_view names, bool value, const std::string& where) {
+    for (const std::string_view name : split(names, ',')) {
+        const std::optional<Parameter> parameter = find_parameter(name);
+        if (!parameter) refuse_unknown(where, name, parameter_names());
+        marks[static_cast<std::size_t>(*parameter)] = value;
+    }
+}
+
 void read_parameter(Configuration& configuration, const ParameterInfo& info, const Json& json,
                     const std::string& where) {
     double& value = value_of(configuration.values, info.parameter);
@@ -84,17 +93,26 @@ void read_parameters(Configuration& configuration, const Json& json, const std::
     }
 }
 
-void read_free(Configuration& configuration, const Json& json, const std::string& where) {
-    configuration.free.fill(false);
+/// Marks the parameters listed, and no others.
+void read_names(std::array<bool, parameter_count>& marks, const Json& json, const std::string& where) {
     const bool is_list =
         json.is_array() && std::ranges::all_of(json, [](const Json& name) { return name.is_string(); });
     if (!is_list) {
         throw InputError({.where = where,
                           .problem = fmt::format("{} is no list of names", shown(json)),
-                          .why = "the free parameters are needed here",
+                          .why = "names of parameters are needed here",
                           .remedy = "give names as in [\"melanosome_fraction\"]"});
     }
-    for (const Json& name : json) configuration = with_freedom(configuration, name.get<std::string>(), true, where);
+    marks.fill(false);
+    for (const Json& name : json) mark(marks, name.get<std::string>(), true, where);
+}
+
+Json names_json(const std::array<bool, parameter_count>& marks) {
+    Json names = Json::array();
+    for (const ParameterInfo& info : parameter_table()) {
+        if (marks[static_cast<std::size_t>(info.parameter)]) names.push_back(info.name);
+    }
+    return names;
 }
 
 /// The value of "key=value": JSON where it reads as a number, null, a list or an object, else a number or a word.
@@ -117,11 +135,13 @@ Json assigned_value(std::string_view text, const std::string& where) {
 }  // namespace
 
 Configuration with_freedom(Configuration configuration, std::string_view names, bool free, const std::string& where) {
-    for (const std::string_view name : split(names, ',')) {
-        const std::optional<Parameter> parameter = find_parameter(name);
-        if (!parameter) refuse_unknown(where, name, parameter_names());
-        configuration.free[static_cast<std::size_t>(*parameter)] = free;
-    }
+    mark(configuration.free, names, free, where);
+    return configuration;
+}
+
+Configuration with_own(Configuration configuration, std::string_view names, const std::string& where) {
+    mark(configuration.own, names, true, where);
+    mark(configuration.free, names, true, where);
     return configuration;
 }
 
@@ -130,7 +150,7 @@ Configuration configured(Configuration configuration, const Json& json, const st
     if (json.contains("configuration")) {
         return configured(std::move(configuration), json["configuration"], where + ": configuration");
     }
-    std::vector<std::string_view> known = {"free", "parameters"};
+    std::vector<std::string_view> known = {"free", "own", "parameters"};
     for (const Setting& setting : setting_table()) known.push_back(setting.name);
     for (const auto& [key, value] : json.items()) {
         const std::string here = where + ": " + key;
@@ -138,7 +158,9 @@ Configuration configured(Configuration configuration, const Json& json, const st
         if (setting != setting_table().end()) {
             setting->read(configuration, value, here);
         } else if (key == "free") {
-            read_free(configuration, value, here);
+            read_names(configuration.free, value, here);
+        } else if (key == "own") {
+            read_names(configuration.own, value, here);
         } else if (key == "parameters") {
             read_parameters(configuration, value, here);
         } else if (find_parameter(key)) {
@@ -161,8 +183,8 @@ Configuration configured_by_word(Configuration configuration, std::string_view k
         read_parameter(configuration, info(*parameter), value, where);
         return configuration;
     }
-    if (key == "free") {
-        refuse_misplaced(where, "a list", "name parameters with --free NAME,NAME and --fix NAME,NAME");
+    if (key == "free" || key == "own") {
+        refuse_misplaced(where, "a list", "name parameters with --free NAME,NAME, --fix NAME,NAME and --own NAME,NAME");
     }
     const auto setting = std::ranges::find(setting_table(), key, &Setting::name);
     if (setting == setting_table().end()) {
@@ -189,8 +211,8 @@ Configuration configured_by_assignment(const Configuration& configuration, std::
 Json to_json(const Configuration& configuration) {
     Json json;
     for (const Setting& setting : setting_table()) json[std::string(setting.name)] = setting.write(configuration);
-    json["free"] = Json::array();
-    for (const Parameter parameter : free_parameters(configuration)) json["free"].push_back(info(parameter).name);
+    json["free"] = names_json(configuration.free);
+    json["own"] = names_json(configuration.own);
     for (const ParameterInfo& info : parameter_table()) {
         const Bounds& bounds = configuration.bounds[static_cast<std::size_t>(info.parameter)];
         json["parameters"][std::string(info.name)] = {{"value", value_of(configuration.values, info.parameter)},
@@ -211,6 +233,11 @@ Json configuration_schema() {
                           {"description", "the parameters a fit adjusts"},
                           {"items", {{"enum", parameter_names()}}},
                           {"uniqueItems", true}};
+    properties["own"] = {
+        {"type", "array"},
+        {"description", "of the free parameters those that have a value of their own in each of several spectra"},
+        {"items", {{"enum", parameter_names()}}},
+        {"uniqueItems", true}};
     Json parameters;
     for (const ParameterInfo& info : parameter_table()) {
         const Json number = {{"type", "number"}, {"minimum", info.lowest}, {"maximum", info.highest}};

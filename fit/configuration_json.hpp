@@ -29,6 +29,9 @@ namespace skinfit {
 [[nodiscard]] Configuration with_freedom(Configuration configuration, std::string_view names, bool free,
                                          const std::string& where);
 
+/// Gives the parameters named in "NAME,NAME" a value of their own in each of several spectra, and frees them.
+[[nodiscard]] Configuration with_own(Configuration configuration, std::string_view names, const std::string& where);
+
 /// The whole configuration, such that `configured(default_configuration(), to_json(c), ...)` is c again.
 [[nodiscard]] Json to_json(const Configuration& configuration);
 

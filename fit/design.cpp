@@ -151,7 +151,7 @@ Design design(const Configuration& configuration, const DesignRequest& request) 
     complete.wavelength_min_nm = result.wavelength_nm.front();
     complete.wavelength_max_nm = result.wavelength_nm.back();
     const FitProblem problem = planned_problem(complete, result.wavelength_nm);
-    const Objective objective(problem, make_model(problem, complete.engine, request.cache));
+    const Objective objective(problem, make_models(problem, complete.engine, request.cache));
     const MatrixXd jacobian = objective.model(starts(problem)).jacobian / complete.noise;
     const Index column = column_of(problem, request.parameter);
     check_request(request, jacobian, column);

@@ -25,7 +25,7 @@ void judge_spectrum(const FitResult& result, std::vector<std::string>& reasons) 
 }
 
 void judge_misfit(const FitResult& result, std::vector<std::string>& reasons) {
-    const std::size_t wavelengths = result.wavelength_nm.size();
+    const std::size_t wavelengths = reading_count(result);
     if (wavelengths < result.free.size()) {
         reasons.push_back(fmt::format(
             "FEWER WAVELENGTHS THAN PARAMETERS: {} for {}, so the priors decide part of the answer; measure "
@@ -79,8 +79,8 @@ void judge_minima(const FitResult& result, std::vector<std::string>& reasons) {
 }
 
 void judge_parameters(const FitResult& result, std::vector<std::string>& reasons) {
-    for (const FittedParameter& fitted : result.parameters) {
-        const std::string_view name = info(fitted.parameter).name;
+    for (const FittedParameter& fitted : result.free) {
+        const std::string& name = fitted.name;
         const Status status = fitted.uncertainty.status;
         if (status == Status::at_lower_bound || status == Status::at_upper_bound) {
             reasons.push_back(fmt::format(
@@ -110,7 +110,7 @@ void judge_sampling(const FitResult& result, std::vector<std::string>& reasons) 
         reasons.push_back(
             fmt::format("CHAINS HAVE NOT MIXED in {}: R-hat {:.3f}, {:.0f} effective draws; fix parameters that trade "
                         "against each other, or use uncertainty=profile",
-                        info(result.free[i]).name, marginal.r_hat, effective));
+                        result.free[i].name, marginal.r_hat, effective));
     }
     if (result.posterior->divergences > 0) {
         reasons.push_back(

@@ -11,14 +11,15 @@ bool belongs_to_instrument(Parameter parameter) {
 
 }  // namespace
 
-EmulatorDomain emulator_domain(const FitProblem& problem) {
-    EmulatorDomain domain{.sample = problem.experiment.sample(),
-                          .incidence_rad = problem.experiment.incidence_rad,
-                          .side = measured_side(problem.quantity),
-                          .wavelengths_nm = true_wavelengths_nm(problem.experiment, problem.wavelength_nm),
+EmulatorDomain emulator_domain(const FitProblem& problem, std::size_t number) {
+    const Measurement& measurement = problem.measurements[number];
+    EmulatorDomain domain{.sample = measurement.experiment.sample(),
+                          .incidence_rad = measurement.experiment.incidence_rad,
+                          .side = measured_side(measurement.quantity),
+                          .wavelengths_nm = true_wavelengths_nm(measurement.experiment, measurement.wavelength_nm),
                           .ranges = {}};
     for (const FreeParameter& free : problem.free) {
-        if (belongs_to_instrument(free.parameter)) continue;
+        if (belongs_to_instrument(free.parameter) || !free.belongs_to(number)) continue;
         domain.ranges.push_back({free.parameter, free.bounds.lower, free.bounds.upper});
     }
     return domain;

@@ -7,8 +7,9 @@
 
 namespace skinfit {
 
-/// What an emulator must cover for a fit: the free parameters that absorb, within their bounds.
-[[nodiscard]] EmulatorDomain emulator_domain(const FitProblem& problem);
+/// What an emulator must cover for a fit of one of the measurements: the free parameters that absorb, within their
+/// bounds.
+[[nodiscard]] EmulatorDomain emulator_domain(const FitProblem& problem, std::size_t number = 0);
 
 /// The same for a simulation at `wavelengths_nm`, as the instrument states them.
 [[nodiscard]] EmulatorDomain emulator_domain(const Configuration& configuration, Side side,

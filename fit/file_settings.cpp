@@ -9,9 +9,11 @@
 #include "fit/configuration_json.hpp"
 
 namespace skinfit {
+namespace {
 
-Configuration with_file_settings(Configuration configuration, const Spectrum& spectrum) {
-    constexpr std::array<std::string_view, 3> keys = {"edition", "layers", "base"};
+constexpr std::array<std::string_view, 3> keys = {"edition", "layers", "base"};
+
+Configuration with_settings_of(Configuration configuration, const Spectrum& spectrum) {
     for (const std::string_view key : keys) {
         const FileNote* stated = nullptr;
         for (const FileNote& note : spectrum.notes) {
@@ -28,6 +30,21 @@ Configuration with_file_settings(Configuration configuration, const Spectrum& sp
         }
     }
     return configuration;
+}
+
+}  // namespace
+
+Configuration with_file_settings(const Configuration& configuration, std::span<const Spectrum> spectra) {
+    const Configuration first = with_settings_of(configuration, spectra.front());
+    for (const Spectrum& spectrum : spectra.subspan(1)) {
+        const Configuration other = with_settings_of(configuration, spectrum);
+        if (to_json(other) == to_json(first)) continue;
+        throw InputError({.where = fmt::format("{}, {}", spectra.front().source, spectrum.source),
+                          .problem = "state different editions, layers or bases",
+                          .why = "spectra that are explained together need one model",
+                          .remedy = "fit them apart, or correct the comments of one"});
+    }
+    return first;
 }
 
 }  // namespace skinfit

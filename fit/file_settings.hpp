@@ -1,13 +1,14 @@
 #pragma once
 
+#include <span>
+
 #include "fit/configuration.hpp"
 #include "measurements/spectrum.hpp"
 
 namespace skinfit {
 
-/// `configuration` with the edition, layers and base that the comments of the measured file state, as those of
-/// simulated files do. Throws InputError for a value that cannot be used and for a key stated twice. The seed is not
-/// taken: a fit with the random numbers of the simulation would not see its noise.
-[[nodiscard]] Configuration with_file_settings(Configuration configuration, const Spectrum& spectrum);
+/// `configuration` with the edition, layers and base that the files' comments state, as a simulated spectrum does.
+/// Throws InputError for a word that is none of theirs, for a key given twice and for files that contradict each other.
+[[nodiscard]] Configuration with_file_settings(const Configuration& configuration, std::span<const Spectrum> spectra);
 
 }  // namespace skinfit

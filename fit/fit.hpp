@@ -14,20 +14,27 @@ namespace skinfit {
 struct FitOptions {
     bool cross_check = false;  ///< also by the other solvers, and compare
     EnsembleCache cache;
-    std::vector<Finding> findings{};  ///< on the spectrum, for the result: `findings_before_fit`
+    std::vector<Finding> findings{};  ///< on the spectra, for the result: `findings_before_fit`
 };
 
-/// Explains `spectrum` as `configuration` says. Throws InputError for a problem that makes no sense (`make_problem`);
-/// a fit that ends badly is a result with a verdict.
+/// Explains all `spectra` (at least one) together as `configuration` says. Throws InputError for a problem that makes
+/// no sense (`make_problem`); a fit that ends badly is a result with a verdict.
+[[nodiscard]] FitResult fit_spectra(const Configuration& configuration, std::span<const Spectrum> spectra,
+                                    const FitOptions& options);
+
+/// The same for one spectrum.
 [[nodiscard]] FitResult fit_spectrum(const Configuration& configuration, const Spectrum& spectrum,
                                      const FitOptions& options);
 
-/// What computes the light of `problem`: walks, recorded now or kept by `cache`, or the angular solver.
-[[nodiscard]] ForwardModel make_model(const FitProblem& problem, Engine engine, const EnsembleCache& cache);
+/// What computes the light of each measurement: walks, recorded now or kept by `cache`, the angular solver, or its
+/// emulator, made now or kept.
+[[nodiscard]] std::vector<ForwardModel> make_models(const FitProblem& problem, Engine engine,
+                                                    const EnsembleCache& cache);
 
-/// An approximation that costs a small part of `model`: a few of the recorded rays, or a coarser grid of angles; the
+/// Approximations that cost a small part of `models`: a few of the recorded rays, or a coarser grid of angles; the
 /// emulator is cheap itself.
-[[nodiscard]] ForwardModel cheap_model(const FitProblem& problem, const ForwardModel& model);
+[[nodiscard]] std::vector<ForwardModel> cheap_models(const FitProblem& problem,
+                                                     const std::vector<ForwardModel>& models);
 
 /// The median of `values`; 0 of none.
 [[nodiscard]] double median(std::vector<double> values);

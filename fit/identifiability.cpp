@@ -29,7 +29,7 @@ Identifiability identifiability(const MatrixXd& jacobian, const std::vector<Free
     for (Index column = 0; column < size; ++column) {
         const FreeParameter& parameter = free[static_cast<std::size_t>(column)];
         scaled.col(column) *= prior_sigma(parameter);
-        result.parameters.push_back(parameter.parameter);
+        result.names.push_back(name_of(parameter));
     }
     const Eigen::JacobiSVD<MatrixXd> svd(scaled, Eigen::ComputeFullV);
     for (Index k = 0; k < size; ++k) {
@@ -45,15 +45,15 @@ Identifiability identifiability(const MatrixXd& jacobian, const std::vector<Free
 
 Identifiability identifiability(const Objective& objective, std::span<const double> values) {
     const FitProblem& problem = objective.problem();
-    const auto readings = static_cast<Index>(problem.wavelength_nm.size());
+    const auto readings = static_cast<Index>(objective.reading_count());
     return identifiability(objective.misfit(values).jacobian.topRows(readings), problem.free);
 }
 
-std::string in_words(const Direction& direction, const std::vector<Parameter>& parameters) {
+std::string in_words(const Direction& direction, const std::vector<std::string>& names) {
     constexpr double notable = 0.3;  // of the largest component
     std::vector<std::size_t> order;
     const double largest = direction.components.cwiseAbs().maxCoeff();
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
         if (std::abs(direction.components[static_cast<Index>(i)]) >= notable * largest) order.push_back(i);
     }
     const auto size = [&](std::size_t i) { return std::abs(direction.components[static_cast<Index>(i)]); };
@@ -63,7 +63,7 @@ std::string in_words(const Direction& direction, const std::vector<Parameter>& p
     std::vector<std::string_view> against;
     for (const std::size_t i : order) {
         const bool same = (direction.components[static_cast<Index>(i)] > 0.0) == sign;
-        (same ? with : against).push_back(info(parameters[i]).name);
+        (same ? with : against).push_back(names[i]);
     }
     if (against.empty()) return fmt::format("{}", fmt::join(with, " together with "));
     return fmt::format("{} {} against {}", fmt::join(with, " and "), with.size() > 1 ? "trade" : "trades",

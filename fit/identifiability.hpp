@@ -21,7 +21,7 @@ struct Direction {
 /// What a spectrum can tell about the free parameters around one point, to first order. A parameter without a prior of
 /// its own counts as uniform between its bounds: a standard deviation of width / sqrt(12).
 struct Identifiability {
-    std::vector<Parameter> parameters;  ///< the free ones
+    std::vector<std::string> names;     ///< of the free parameters, `name_of`
     std::vector<Direction> directions;  ///< best known first
     /// 1 - variance with the spectrum / variance without it, of each parameter: near 1 where the spectrum decides.
     std::vector<double> shrinkage;
@@ -38,6 +38,6 @@ struct Identifiability {
 
 /// The parameters that make up most of a direction: `a trades against b` where one rises and the other falls without
 /// the spectrum changing as much as it would for either.
-[[nodiscard]] std::string in_words(const Direction& direction, const std::vector<Parameter>& parameters);
+[[nodiscard]] std::string in_words(const Direction& direction, const std::vector<std::string>& names);
 
 }  // namespace skinfit

@@ -35,10 +35,8 @@ void use_profile(const Objective& objective, Inference& inference) {
     inference.profile = profile_intervals(in_unit_box(objective), box_position(problem, inference.minimum.values));
     if (inference.profile->better_minimum) {
         inference.minimum.values = values_at(problem, inference.profile->minimum);
-        inference.minimum.chi2 = objective.chi2(inference.minimum.values);
-        inference.minimum.cost = objective.misfit(inference.minimum.values).cost();
+        judge(objective, inference.minimum);
         inference.minimum.evaluations += inference.profile->evaluations;
-        inference.minimum.converged = expected_gain(objective, inference.minimum.values) < negligible_gain;
         inference.uncertainty = estimate_uncertainty(objective, inference.minimum);
     }
     for (std::size_t i = 0; i < problem.free.size(); ++i) {
@@ -99,9 +97,9 @@ Inference infer(const Objective& objective, const Minimum& minimum, UncertaintyM
     return inference;
 }
 
-std::string samples_csv(const Posterior& posterior, const std::vector<Parameter>& free) {
+std::string samples_csv(const Posterior& posterior, const std::vector<std::string>& names) {
     std::string text = "chain,draw";
-    for (const Parameter parameter : free) text += fmt::format(",{}", info(parameter).name);
+    for (const std::string& name : names) text += "," + name;
     text += "\n";
     const Index draws = posterior.draws.cols() / posterior.chains;
     for (Index column = 0; column < posterior.draws.cols(); ++column) {

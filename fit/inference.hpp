@@ -25,7 +25,7 @@ struct Inference {
 [[nodiscard]] Inference infer(const Objective& objective, const Minimum& minimum, UncertaintyMethod method,
                               std::uint64_t seed);
 
-/// Draws as CSV: a column per free parameter, chain and draw in front; chains one after the other.
-[[nodiscard]] std::string samples_csv(const Posterior& posterior, const std::vector<Parameter>& free);
+/// Draws as CSV: a column per free parameter (`names`), chain and draw in front; chains one after the other.
+[[nodiscard]] std::string samples_csv(const Posterior& posterior, const std::vector<std::string>& names);
 
 }  // namespace skinfit

@@ -54,14 +54,16 @@ std::vector<Finding> findings_in(std::span<const Spectrum> spectra) {
     return quality_findings(spectra, {.lowest_nm = modelled.lowest_nm, .highest_nm = modelled.highest_nm});
 }
 
-std::vector<Finding> findings_before_fit(const Configuration& configuration, const Spectrum& spectrum) {
-    const Configuration complete = resolved(configuration, spectrum);
-    Spectrum as_fitted = spectrum;
-    as_fitted.quantity = complete.quantity;
-    as_fitted.geometry = {.incidence_deg = complete.incidence_deg,
-                          .specular = complete.specular,
-                          .viewing_cone_deg = complete.viewing_cone_deg};
-    return findings_in({&as_fitted, 1});
+std::vector<Finding> findings_before_fit(const Configuration& configuration, std::span<const Spectrum> spectra) {
+    std::vector<Spectrum> as_fitted(spectra.begin(), spectra.end());
+    for (Spectrum& spectrum : as_fitted) {
+        const Configuration complete = resolved(configuration, spectrum);
+        spectrum.quantity = complete.quantity;
+        spectrum.geometry = {.incidence_deg = complete.incidence_deg,
+                             .specular = complete.specular,
+                             .viewing_cone_deg = complete.viewing_cone_deg};
+    }
+    return findings_in(as_fitted);
 }
 
 Inspection inspected(SpectrumFile file) {

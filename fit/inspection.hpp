@@ -32,8 +32,9 @@ struct Inspection {
 /// The findings on spectra of one set, by the tables of the model.
 [[nodiscard]] std::vector<Finding> findings_in(std::span<const Spectrum> spectra);
 
-/// The findings on the one spectrum that is to be fitted, with quantity and geometry as `configuration` resolves them.
-[[nodiscard]] std::vector<Finding> findings_before_fit(const Configuration& configuration, const Spectrum& spectrum);
+/// The findings on spectra that are to be fitted, with quantity and geometry as `configuration` resolves them.
+[[nodiscard]] std::vector<Finding> findings_before_fit(const Configuration& configuration,
+                                                       std::span<const Spectrum> spectra);
 
 [[nodiscard]] Inspection inspected(SpectrumFile file);
 

@@ -19,7 +19,7 @@ void require_plain_squares(const FitProblem& problem) {
              .remedy = "leave it out, or fit one spectrum at a time"});
     };
     if (problem.loss != Loss::squares) refuse("loss");
-    if (!problem.weight.empty()) refuse("weights");
+    if (!problem.only().weight.empty()) refuse("weights");
     if (problem.discrepancy) refuse("discrepancy");
     if (!problem.derived_priors.empty()) refuse("priors");
     for (const FreeParameter& free : problem.free) {
@@ -34,13 +34,13 @@ using Index = Eigen::Index;
 LeanModel::LeanModel(const FitProblem& problem, Emulator emulator)
     : problem_(&problem),
       emulator_(std::move(emulator)),
-      pigments_(
-          extinctions(true_wavelengths_nm(problem.experiment, problem.wavelength_nm), problem.experiment.edition)) {
+      pigments_(model_wavelengths(problem.only().experiment, problem.only().wavelength_nm).pigments) {
     require_plain_squares(problem);
 }
 
 LeanModel::Modelled LeanModel::at(std::span<const double> positions) const {
-    Experiment experiment = problem_->experiment;
+    const Measurement& measurement = problem_->only();
+    Experiment experiment = measurement.experiment;
     const std::vector<double> values = from_unit_box(*problem_, positions);
     const std::vector<double> slopes = unit_box_slopes(*problem_, positions);
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -50,15 +50,15 @@ LeanModel::Modelled LeanModel::at(std::span<const double> positions) const {
     const Instrument& instrument = experiment.values.instrument;
     const std::vector<EmulatedShare> shares = emulator_.respond(optical_depths(skin, pigments_));
     const bool collects_fraction =
-        problem_->quantity == Quantity::reflectance && experiment.specular == Specular::excluded;
-    const double surface = collected_surface(experiment, problem_->quantity) * emulator_.surface_share();
+        measurement.quantity == Quantity::reflectance && experiment.specular == Specular::excluded;
+    const double surface = collected_surface(experiment, measurement.quantity) * emulator_.surface_share();
     Modelled modelled{
         .reading = Eigen::VectorXd(static_cast<Index>(shares.size())),
         .jacobian = Eigen::MatrixXd(static_cast<Index>(shares.size()), static_cast<Index>(values.size()))};
     for (std::size_t i = 0; i < shares.size(); ++i) {
         const auto row = static_cast<Index>(i);
         const double light = shares[i].share + surface;
-        modelled.reading[row] = (instrument.scale * light + instrument.offset) / problem_->sigma[i];
+        modelled.reading[row] = (instrument.scale * light + instrument.offset) / measurement.sigma[i];
         for (std::size_t j = 0; j < values.size(); ++j) {
             const FreeParameter& free = problem_->free[j];
             double by = 0.0;
@@ -79,7 +79,7 @@ LeanModel::Modelled LeanModel::at(std::span<const double> positions) const {
                     }
                 }
             }
-            modelled.jacobian(row, static_cast<Index>(j)) = by * slopes[j] / problem_->sigma[i];
+            modelled.jacobian(row, static_cast<Index>(j)) = by * slopes[j] / measurement.sigma[i];
         }
     }
     return modelled;

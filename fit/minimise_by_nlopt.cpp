@@ -110,7 +110,7 @@ Minimum minimise_by_nlopt(const Objective& objective, Solver solver, std::span<c
                           counter, positions);
     } else {
         if (solver == Solver::crs2) {
-            nlopt::srand(static_cast<unsigned long>(objective.problem().walk.seed));
+            nlopt::srand(static_cast<unsigned long>(objective.problem().seed));
             (void)run(nlopt::GN_CRS2_LM, {.step = 1e-3, .relative_change = 1e-2, .evaluations_per_parameter = 150},
                       counter, positions);
         }

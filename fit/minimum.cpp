@@ -12,9 +12,7 @@ std::vector<double> starts(const FitProblem& problem) {
     return values;
 }
 
-double expected_gain(const Objective& objective, std::span<const double> values) {
-    const FitProblem& problem = objective.problem();
-    const Misfit misfit = objective.misfit(values);
+double expected_gain(const FitProblem& problem, const Misfit& misfit, std::span<const double> values) {
     const std::vector<double> slopes = unit_box_slopes(problem, to_unit_box(problem, values));
     std::vector<Index> moving;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -33,14 +31,19 @@ double expected_gain(const Objective& objective, std::span<const double> values)
     return gradient.dot(damped.ldlt().solve(gradient));
 }
 
+void judge(const Objective& objective, Minimum& minimum) {
+    const Misfit misfit = objective.misfit(minimum.values);
+    minimum.cost = misfit.cost();
+    minimum.chi2 = objective.minimises_chi2() ? minimum.cost : objective.chi2(minimum.values);
+    minimum.converged = expected_gain(objective.problem(), misfit, minimum.values) < negligible_gain;
+}
+
 Minimum concluded(const Objective& objective, std::span<const double> positions, int evaluations,
                   const std::string& termination) {
     Minimum minimum{.values = from_unit_box(objective.problem(), positions),
                     .evaluations = evaluations,
                     .termination = termination};
-    minimum.chi2 = objective.chi2(minimum.values);
-    minimum.cost = objective.misfit(minimum.values).cost();
-    minimum.converged = expected_gain(objective, minimum.values) < negligible_gain;
+    judge(objective, minimum);
     return minimum;
 }
 

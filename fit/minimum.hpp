@@ -23,16 +23,19 @@ struct Minimum {
 /// The starts of the free parameters.
 [[nodiscard]] std::vector<double> starts(const FitProblem& problem);
 
-/// By how much the linearised cost at `values` falls within a step of about the size of the unit box, parameters that
-/// are pressed against a bound held: g (J'J + 1)^-1 g for the gradient g and the Jacobian J by positions. It vanishes
-/// at a minimum, and a direction along which the cost is flat adds nothing.
-[[nodiscard]] double expected_gain(const Objective& objective, std::span<const double> values);
+/// By how much the linearised cost at `values`, where the misfit is `misfit`, falls within a step of about the size of
+/// the unit box, parameters that are pressed against a bound held: g (J'J + 1)^-1 g for the gradient g and the Jacobian
+/// J by positions. It vanishes at a minimum, and a direction along which the cost is flat adds nothing.
+[[nodiscard]] double expected_gain(const FitProblem& problem, const Misfit& misfit, std::span<const double> values);
 
 /// A cost that can fall by less moves no parameter by more than a thirtieth of its standard deviation.
 inline constexpr double negligible_gain = 1e-3;
 
 /// The termination of a method that was not given the evaluations to end by itself.
 inline constexpr const char* out_of_evaluations = "out of evaluations";
+
+/// Fills in cost, chi2 and convergence at the values of `minimum`.
+void judge(const Objective& objective, Minimum& minimum);
 
 /// The solvers' conclusion: cost, chi2 and convergence at `positions` in the unit box.
 [[nodiscard]] Minimum concluded(const Objective& objective, std::span<const double> positions, int evaluations,

@@ -75,7 +75,7 @@ std::vector<DistinctMinimum> distinct_minima(const Objective& cheap, const Objec
     constexpr Tolerance rough{.sigmas = 0.5, .cost = 0.25};
     std::vector<DistinctMinimum> found = {
         {.minimum = minimise(cheap, solver, starts(problem), limits.cheap_evaluations), .searches = 1}};
-    for (const std::vector<double>& point : spread_points(count - 1, problem.free.size(), problem.walk.seed)) {
+    for (const std::vector<double>& point : spread_points(count - 1, problem.free.size(), problem.seed)) {
         found.push_back({.minimum = minimise(cheap, solver, from_unit_box(problem, point), limits.cheap_evaluations),
                          .searches = 1});
     }

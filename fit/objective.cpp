@@ -2,128 +2,160 @@
 
 #include <algorithm>
 #include <cassert>
-#include <utility>
 
 #include "fit/loss.hpp"
-#include "fit/reading.hpp"
 
 namespace skinfit {
 
 using Row = Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
-Objective::Objective(const FitProblem& problem, ForwardModel model)
-    : problem_(&problem), noise_(problem.wavelength_nm, problem.sigma, problem.discrepancy), model_(std::move(model)) {
-    for (const FreeParameter& free : problem.free) parameters_.push_back(free.parameter);
-}
-
-Experiment Objective::with(std::span<const double> values) const {
-    assert(values.size() == free_count());
-    Experiment experiment = problem_->experiment;
-    for (std::size_t i = 0; i < values.size(); ++i) value_of(experiment.values, parameters_[i]) = values[i];
-    return experiment;
+Objective::Objective(const FitProblem& problem, const std::vector<ForwardModel>& models)
+    : problem_(&problem), first_row_{0} {
+    assert(models.size() == problem.measurements.size());
+    for (std::size_t k = 0; k < models.size(); ++k) {
+        const Measurement& measurement = problem.measurements[k];
+        models_.emplace_back(problem, k, models[k]);
+        noise_.emplace_back(measurement.wavelength_nm, measurement.sigma, problem.discrepancy);
+        first_row_.push_back(first_row_.back() + static_cast<Row>(measurement.wavelength_nm.size()));
+    }
 }
 
 Objective::Modelled Objective::model(std::span<const double> values) const {
-    const Experiment experiment = with(values);
-    const Quantity quantity = problem_->quantity;
-    const std::vector<EscapedLight> lights =
-        light_of(model_, experiment, measured_side(quantity), problem_->wavelength_nm, parameters_);
-    const auto rows = static_cast<Row>(wavelength_count());
-    Modelled modelled{.reading = Eigen::VectorXd(rows),
-                      .jacobian = Eigen::MatrixXd(rows, static_cast<Row>(free_count())),
-                      .standard_error = Eigen::VectorXd(rows)};
-    for (Row row = 0; row < rows; ++row) {
-        const EscapedLight& light = lights[static_cast<std::size_t>(row)];
-        modelled.reading[row] = reading(light, experiment, quantity);
-        modelled.standard_error[row] = experiment.values.instrument.scale * light.standard_error;
-        modelled.jacobian.row(row) = reading_derivatives(light, experiment, quantity, parameters_);
+    if (models_.size() == 1) return models_.front().model(values);
+    const Row rows = first_row_.back();
+    Modelled all{.reading = VectorXd(rows),
+                 .jacobian = MatrixXd(rows, static_cast<Row>(free_count())),
+                 .standard_error = VectorXd(rows)};
+    for (std::size_t k = 0; k < models_.size(); ++k) {
+        const Modelled part = models_[k].model(values);
+        const Row first = first_row_[k];
+        all.reading.segment(first, part.reading.size()) = part.reading;
+        all.jacobian.middleRows(first, part.reading.size()) = part.jacobian;
+        all.standard_error.segment(first, part.reading.size()) = part.standard_error;
     }
-    return modelled;
+    return all;
 }
 
-Eigen::VectorXd Objective::readings_of(const Experiment& experiment) const {
-    const Quantity quantity = problem_->quantity;
-    const std::vector<EscapedLight> lights =
-        light_of(model_, experiment, measured_side(quantity), problem_->wavelength_nm, {});
-    Eigen::VectorXd readings(static_cast<Row>(lights.size()));
-    for (Row row = 0; row < readings.size(); ++row) {
-        readings[row] = reading(lights[static_cast<std::size_t>(row)], experiment, quantity);
+VectorXd Objective::readings(std::span<const double> values) const {
+    VectorXd all(first_row_.back());
+    for (std::size_t k = 0; k < models_.size(); ++k) {
+        all.segment(first_row_[k], first_row_[k + 1] - first_row_[k]) = models_[k].readings(values);
     }
-    return readings;
-}
-
-Eigen::VectorXd Objective::readings(std::span<const double> values) const {
-    return readings_of(with(values));
+    return all;
 }
 
 std::size_t Objective::residual_count() const {
     const auto on_parameters =
         std::ranges::count_if(problem_->free, [](const FreeParameter& free) { return free.prior.has_value(); });
-    return wavelength_count() + static_cast<std::size_t>(on_parameters) + problem_->derived_priors.size();
+    return reading_count() + static_cast<std::size_t>(on_parameters) + problem_->derived_priors.size();
 }
 
 Misfit Objective::misfit(std::span<const double> values) const {
     const Modelled modelled = model(values);
-    const auto rows = static_cast<Row>(wavelength_count());
-    const Eigen::VectorXd hard = weighted_and_whitened(differences(modelled.reading));
-    Misfit misfit{.residual = Eigen::VectorXd(static_cast<Row>(residual_count())),
-                  .jacobian = Eigen::MatrixXd::Zero(static_cast<Row>(residual_count()), modelled.jacobian.cols())};
+    const auto rows = static_cast<Row>(reading_count());
+    const auto all_rows = static_cast<Row>(residual_count());
+    const VectorXd hard = weighted_and_whitened(differences(modelled.reading));
+    Misfit misfit{.residual = VectorXd(all_rows), .jacobian = MatrixXd(all_rows, modelled.jacobian.cols())};
     for (Row row = 0; row < rows; ++row) {
         misfit.residual[row] = softened(hard[row], problem_->loss, problem_->loss_scale).value;
     }
     misfit.jacobian.topRows(rows) = residual_changes(modelled.reading, modelled.jacobian);
-    add_priors(with(values), misfit);
+    if (all_rows == rows) return misfit;
+    const Misfit priors = prior_misfit(values);
+    misfit.residual.tail(all_rows - rows) = priors.residual;
+    misfit.jacobian.bottomRows(all_rows - rows) = priors.jacobian;
     return misfit;
 }
 
-void Objective::add_priors(const Experiment& experiment, Misfit& misfit) const {
-    auto row = static_cast<Row>(wavelength_count());
-    for (std::size_t i = 0; i < problem_->free.size(); ++i) {
+/// The rows of the priors alone.
+Misfit Objective::prior_misfit(std::span<const double> values) const {
+    const auto rows = static_cast<Row>(residual_count() - reading_count());
+    Misfit misfit{.residual = VectorXd(rows), .jacobian = MatrixXd::Zero(rows, static_cast<Row>(free_count()))};
+    Row row = 0;
+    for (std::size_t i = 0; i < free_count(); ++i) {
         const FreeParameter& free = problem_->free[i];
         if (!free.prior) continue;
-        const Residual residual = prior_residual(*free.prior, value_of(experiment.values, free.parameter));
+        const Residual residual = prior_residual(*free.prior, values[i]);
         misfit.residual[row] = residual.value;
         misfit.jacobian(row, static_cast<Row>(i)) = residual.slope;
         ++row;
     }
     for (const DerivedPrior& derived : problem_->derived_priors) {
-        const Residual residual = prior_residual(derived.prior, derived_value(derived.quantity, experiment.values));
+        const ParameterValues all = models_[derived.measurement].at(values).values;
+        const Residual residual = prior_residual(derived.prior, derived_value(derived.quantity, all));
         misfit.residual[row] = residual.value;
-        for (std::size_t i = 0; i < parameters_.size(); ++i) {
-            const double slope = derived_slope(derived.quantity, experiment.values, parameters_[i]);
+        for (std::size_t i = 0; i < free_count(); ++i) {
+            if (!problem_->free[i].belongs_to(derived.measurement)) continue;
+            const double slope = derived_slope(derived.quantity, all, problem_->free[i].parameter);
             // Where the residual is infinite, a parameter without effect still has none.
             misfit.jacobian(row, static_cast<Row>(i)) = slope == 0.0 ? 0.0 : residual.slope * slope;
         }
         ++row;
     }
+    return misfit;
 }
 
-Eigen::VectorXd Objective::differences(const Eigen::VectorXd& reading) const {
-    return reading - Eigen::Map<const Eigen::VectorXd>(problem_->measured.data(), reading.size());
+VectorXd Objective::differences(const VectorXd& reading) const {
+    VectorXd difference = reading;
+    for (std::size_t k = 0; k < models_.size(); ++k) {
+        const std::vector<double>& measured = problem_->measurements[k].measured;
+        const auto rows = static_cast<Row>(measured.size());
+        difference.segment(first_row_[k], rows) -= Eigen::Map<const VectorXd>(measured.data(), rows);
+    }
+    return difference;
 }
 
-Eigen::MatrixXd Objective::weighted_and_whitened(const Eigen::MatrixXd& changes) const {
-    if (problem_->weight.empty()) return noise_.whiten(changes);
-    const Eigen::Map<const Eigen::VectorXd> weight(problem_->weight.data(), changes.rows());
-    return noise_.whiten(weight.cwiseSqrt().asDiagonal() * changes);
+MatrixXd Objective::weighted_and_whitened(const MatrixXd& changes) const {
+    MatrixXd white(changes.rows(), changes.cols());
+    for (std::size_t k = 0; k < noise_.size(); ++k) {
+        const std::vector<double>& weights = problem_->measurements[k].weight;
+        const Row first = first_row_[k];
+        const Row rows = first_row_[k + 1] - first;
+        if (weights.empty()) {
+            white.middleRows(first, rows) = noise_[k].whiten(changes.middleRows(first, rows));
+        } else {
+            const Eigen::Map<const VectorXd> weight(weights.data(), rows);
+            white.middleRows(first, rows) =
+                noise_[k].whiten(weight.cwiseSqrt().asDiagonal() * changes.middleRows(first, rows));
+        }
+    }
+    return white;
 }
 
-Eigen::VectorXd Objective::residuals(const Eigen::VectorXd& reading) const {
-    return noise_.whiten(differences(reading));
+VectorXd Objective::residuals(const VectorXd& reading) const {
+    VectorXd white = differences(reading);
+    for (std::size_t k = 0; k < noise_.size(); ++k) {
+        auto part = white.segment(first_row_[k], first_row_[k + 1] - first_row_[k]);
+        part = noise_[k].whiten(part).col(0).eval();
+    }
+    return white;
 }
 
-Eigen::VectorXd Objective::unexplained(const Eigen::VectorXd& reading) const {
-    return noise_.unexplained(differences(reading));
+VectorXd Objective::unexplained(const VectorXd& reading) const {
+    VectorXd left = differences(reading);
+    for (std::size_t k = 0; k < noise_.size(); ++k) {
+        auto part = left.segment(first_row_[k], first_row_[k + 1] - first_row_[k]);
+        part = noise_[k].unexplained(part).eval();
+    }
+    return left;
 }
 
-Eigen::MatrixXd Objective::residual_changes(const Eigen::VectorXd& reading, const Eigen::MatrixXd& changes) const {
-    Eigen::MatrixXd whitened = weighted_and_whitened(changes);
+MatrixXd Objective::residual_changes(const VectorXd& reading, const MatrixXd& changes) const {
+    MatrixXd whitened = weighted_and_whitened(changes);
     if (problem_->loss == Loss::squares) return whitened;
-    const Eigen::VectorXd hard = weighted_and_whitened(differences(reading));
+    const VectorXd hard = weighted_and_whitened(differences(reading));
     for (Row row = 0; row < whitened.rows(); ++row) {
         whitened.row(row) *= softened(hard[row], problem_->loss, problem_->loss_scale).slope;
     }
     return whitened;
+}
+
+bool Objective::minimises_chi2() const {
+    const bool weighted =
+        std::ranges::any_of(problem_->measurements, [](const Measurement& each) { return !each.weight.empty(); });
+    return !weighted && problem_->loss == Loss::squares && residual_count() == reading_count();
 }
 
 double Objective::chi2(std::span<const double> values) const {
@@ -131,39 +163,21 @@ double Objective::chi2(std::span<const double> values) const {
 }
 
 double Objective::cost(std::span<const double> values) const {
-    const Experiment experiment = with(values);
     double sum = 0.0;
-    const auto add = [&sum](double residual) { sum += residual * residual; };
-    const Eigen::VectorXd hard = weighted_and_whitened(differences(readings_of(experiment)));
-    for (const double residual : hard) add(softened(residual, problem_->loss, problem_->loss_scale).value);
-    for (const FreeParameter& free : problem_->free) {
-        if (free.prior) add(prior_residual(*free.prior, value_of(experiment.values, free.parameter)).value);
+    const VectorXd hard = weighted_and_whitened(differences(readings(values)));
+    for (const double residual : hard) {
+        const double soft = softened(residual, problem_->loss, problem_->loss_scale).value;
+        sum += soft * soft;
     }
-    for (const DerivedPrior& derived : problem_->derived_priors) {
-        add(prior_residual(derived.prior, derived_value(derived.quantity, experiment.values)).value);
-    }
-    return sum;
+    return residual_count() == reading_count() ? sum : sum + prior_misfit(values).cost();
 }
 
-Eigen::MatrixXd Objective::batch_readings(std::span<const double> values) const {
-    constexpr auto batches = static_cast<Row>(PathEnsemble::batch_count);
-    const auto* const ensemble = std::get_if<PathEnsemble>(&model_);
-    if (ensemble == nullptr) return Eigen::MatrixXd(static_cast<Row>(wavelength_count()), 0);
-    const Experiment experiment = with(values);
-    const Instrument& instrument = experiment.values.instrument;
-    const double surface = collected_surface(experiment, problem_->quantity) * ensemble->surface_share();
-    const std::vector<Extinction> pigments =
-        extinctions(true_wavelengths_nm(experiment, problem_->wavelength_nm), experiment.edition);
-    const auto shares =
-        ensemble->batch_shares(optical_depths(experiment.values.skin, pigments), measured_side(problem_->quantity));
-    Eigen::MatrixXd readings(static_cast<Row>(shares.size()), batches);
-    for (Row row = 0; row < readings.rows(); ++row) {
-        for (Row batch = 0; batch < batches; ++batch) {
-            const double share = shares[static_cast<std::size_t>(row)][static_cast<std::size_t>(batch)];
-            readings(row, batch) = instrument.scale * (share + surface) + instrument.offset;
-        }
-    }
-    return readings;
+MatrixXd Objective::batch_readings(std::span<const double> values) const {
+    std::vector<MatrixXd> parts;
+    for (const MeasurementModel& model : models_) parts.push_back(model.batch_readings(values));
+    MatrixXd all(first_row_.back(), parts.front().cols());
+    for (std::size_t k = 0; k < parts.size(); ++k) all.middleRows(first_row_[k], parts[k].rows()) = parts[k];
+    return all;
 }
 
 }  // namespace skinfit

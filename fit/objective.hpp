@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fit/forward_model.hpp"
+#include "fit/measurement_model.hpp"
 #include "fit/noise_model.hpp"
 #include "fit/prior.hpp"
 #include "fit/problem.hpp"
@@ -20,30 +21,31 @@ struct Misfit {
     [[nodiscard]] double cost() const { return residual.squaredNorm(); }
 };
 
-/// The misfit of one problem as a function of its free parameters, smooth and with exact derivatives.
+/// The misfit of one problem as a function of its free parameters, smooth and with exact derivatives. Readings are
+/// those of all measurements, one measurement after the other.
 class Objective {
 public:
-    /// `model` must have been made for the problem's experiment.
-    Objective(const FitProblem& problem, ForwardModel model);
+    /// `models`: one per measurement, each made for its experiment. Refers to the problem, which must outlive it.
+    Objective(const FitProblem& problem, const std::vector<ForwardModel>& models);
+    /// Of a problem with one measurement.
+    Objective(const FitProblem& problem, const ForwardModel& model)
+        : Objective(problem, std::vector<ForwardModel>{model}) {}
 
     [[nodiscard]] const FitProblem& problem() const { return *problem_; }
-    [[nodiscard]] std::size_t wavelength_count() const { return problem_->wavelength_nm.size(); }
-    /// Of `misfit`: one per wavelength and one per prior.
+    [[nodiscard]] const std::vector<MeasurementModel>& models() const { return models_; }
+    [[nodiscard]] std::size_t reading_count() const { return static_cast<std::size_t>(first_row_.back()); }
+    /// Of `misfit`: one per reading and one per prior.
     [[nodiscard]] std::size_t residual_count() const;
     [[nodiscard]] std::size_t free_count() const { return problem_->free.size(); }
 
-    /// The model's reading at each wavelength for values of the free parameters, and its derivatives.
-    struct Modelled {
-        Eigen::VectorXd reading;         ///< fractions
-        Eigen::MatrixXd jacobian;        ///< wavelengths x free parameters
-        Eigen::VectorXd standard_error;  ///< of `reading`, Monte Carlo
-    };
+    /// The model's readings for values of the free parameters, their derivatives and standard errors.
+    using Modelled = MeasurementModel::Modelled;
     [[nodiscard]] Modelled model(std::span<const double> values) const;
 
     /// The same readings without their derivatives.
     [[nodiscard]] Eigen::VectorXd readings(std::span<const double> values) const;
 
-    /// All residuals at values of the free parameters, and their derivatives: one per wavelength (whitened by the noise
+    /// All residuals at values of the free parameters, and their derivatives: one per reading (whitened by the noise
     /// model, weighted, softened by the loss), then one per prior. Whatever minimises or estimates uncertainty uses
     /// this. A residual is infinite where a prior has no density.
     [[nodiscard]] Misfit misfit(std::span<const double> values) const;
@@ -54,9 +56,12 @@ public:
     /// The same differences less what the discrepancy explains of them: `NoiseModel::unexplained`.
     [[nodiscard]] Eigen::VectorXd unexplained(const Eigen::VectorXd& reading) const;
 
-    /// What small changes of `reading` (wavelengths x any) make of the data's part of `Misfit::residual`.
+    /// What small changes of `reading` (readings x any) make of the data's part of `Misfit::residual`.
     [[nodiscard]] Eigen::MatrixXd residual_changes(const Eigen::VectorXd& reading,
                                                    const Eigen::MatrixXd& changes) const;
+
+    /// Whether the cost is chi2: there are no weights and no priors, and the loss is that of squares.
+    [[nodiscard]] bool minimises_chi2() const;
 
     /// The sum of the squares of `residuals` at values of the free parameters: without weights, loss and priors.
     [[nodiscard]] double chi2(std::span<const double> values) const;
@@ -64,21 +69,18 @@ public:
     /// `Misfit::cost` without the work of derivatives; infinite where a prior has no density.
     [[nodiscard]] double cost(std::span<const double> values) const;
 
-    /// The reading as each batch of the ensemble alone gives it: wavelengths x batches; no columns without an ensemble.
+    /// The readings as each batch of the ensembles alone gives them: readings x batches; no columns without ensembles.
     [[nodiscard]] Eigen::MatrixXd batch_readings(std::span<const double> values) const;
 
 private:
-    [[nodiscard]] Eigen::VectorXd readings_of(const Experiment& experiment) const;
-    [[nodiscard]] Experiment with(std::span<const double> values) const;
-
     [[nodiscard]] Eigen::MatrixXd weighted_and_whitened(const Eigen::MatrixXd& changes) const;
     [[nodiscard]] Eigen::VectorXd differences(const Eigen::VectorXd& reading) const;
-    void add_priors(const Experiment& experiment, Misfit& misfit) const;
+    [[nodiscard]] Misfit prior_misfit(std::span<const double> values) const;
 
     const FitProblem* problem_;
-    NoiseModel noise_;
-    ForwardModel model_;
-    std::vector<Parameter> parameters_;  // the free ones
+    std::vector<MeasurementModel> models_;
+    std::vector<NoiseModel> noise_;        // one per measurement
+    std::vector<Eigen::Index> first_row_;  // of each measurement's readings, and behind the last
 };
 
 }  // namespace skinfit

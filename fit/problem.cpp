@@ -6,8 +6,7 @@
 
 #include "core/input_error.hpp"
 #include "fit/prior.hpp"
-#include "fit/viewing.hpp"
-#include "model/constants.hpp"
+#include "model/chromophores.hpp"
 
 namespace skinfit {
 namespace {
@@ -35,13 +34,6 @@ void check_free(const FreeParameter& free, const Configuration& configuration) {
                           .problem = "has no effect",
                           .why = "folds turn the surface reflection without making it more or less",
                           .remedy = fmt::format("fix it (--fix {})", row.name)});
-    }
-    if (free.parameter == Parameter::specular_fraction &&
-        (configuration.specular == Specular::included || configuration.quantity == Quantity::transmittance)) {
-        throw InputError({.where = key(free),
-                          .problem = "has no effect",
-                          .why = "it scales the surface reflectance where specular is excluded",
-                          .remedy = "fix it, or set specular=excluded for a reflectance"});
     }
     if (!(free.start >= free.bounds.lower && free.start <= free.bounds.upper)) {
         throw InputError({.where = key(free),
@@ -87,78 +79,73 @@ FreeParameter free_parameter(const Configuration& configuration, Parameter param
     return free;
 }
 
-/// Those on quantities that the fit changes.
-std::vector<DerivedPrior> derived_priors(const Configuration& configuration, const std::vector<FreeParameter>& free) {
-    std::vector<DerivedPrior> priors;
+void check_own(const Configuration& configuration) {
+    for (const ParameterInfo& row : parameter_table()) {
+        const auto place = static_cast<std::size_t>(row.parameter);
+        if (!configuration.own[place] || configuration.free[place]) continue;
+        throw InputError({.where = fmt::format("own: {}", row.name),
+                          .problem = "is not free",
+                          .why = "only what is adjusted can have a value of its own in each spectrum",
+                          .remedy = fmt::format("free it (--own {} does), or leave it out", row.name)});
+    }
+}
+
+/// Once for all measurements, or once for each where the parameter is its own.
+void add_free(const Configuration& configuration, Parameter parameter, FitProblem& problem) {
+    FreeParameter free = free_parameter(configuration, parameter);
+    const bool own = configuration.own[static_cast<std::size_t>(parameter)] && problem.measurements.size() > 1;
+    if (!own) {
+        problem.free.push_back(free);
+        return;
+    }
+    for (std::size_t number = 0; number < problem.measurements.size(); ++number) {
+        free.measurement = number;
+        problem.free.push_back(free);
+    }
+}
+
+/// Those on quantities that the fit changes: of each measurement where a parameter of theirs is its own.
+void add_derived_priors(const Configuration& configuration, FitProblem& problem) {
     for (std::size_t i = 0; i < derived_count; ++i) {
         const std::optional<Prior>& prior = configuration.derived_priors[i];
         const auto quantity = static_cast<Derived>(i);
-        const bool moves =
-            std::ranges::any_of(free, [&](const FreeParameter& each) { return depends_on(quantity, each.parameter); });
-        if (prior && moves) priors.push_back({.quantity = quantity, .prior = *prior});
-    }
-    return priors;
-}
-
-bool lies_in(double wavelength_nm, const Bounds& range_nm) {
-    return wavelength_nm >= range_nm.lower && wavelength_nm <= range_nm.upper;
-}
-
-bool is_fitted(double wavelength_nm, const Configuration& configuration) {
-    return lies_in(wavelength_nm, {configuration.wavelength_min_nm, configuration.wavelength_max_nm}) &&
-           std::ranges::none_of(configuration.exclude_nm,
-                                [&](const Bounds& range_nm) { return lies_in(wavelength_nm, range_nm); });
-}
-
-double weight_at(double wavelength_nm, const Configuration& configuration) {
-    const auto found = std::ranges::find_if(
-        configuration.weights, [&](const Weight& weight) { return lies_in(wavelength_nm, weight.range_nm); });
-    return found == configuration.weights.end() ? 1.0 : found->weight;
-}
-
-void take_data(FitProblem& problem, const Configuration& configuration, const Spectrum& spectrum) {
-    for (std::size_t i = 0; i < spectrum.wavelength_nm.size(); ++i) {
-        const double wavelength_nm = spectrum.wavelength_nm[i];
-        if (!is_fitted(wavelength_nm, configuration)) continue;
-        problem.wavelength_nm.push_back(wavelength_nm);
-        problem.measured.push_back(spectrum.value[i]);
-        problem.sigma.push_back(spectrum.sigma.empty() ? configuration.noise : spectrum.sigma[i]);
-        if (!configuration.weights.empty()) problem.weight.push_back(weight_at(wavelength_nm, configuration));
-    }
-    if (problem.wavelength_nm.empty()) {
-        throw InputError({.where = "exclude_nm",
-                          .problem = "leaves no wavelength of the window",
-                          .why = "there is nothing to fit",
-                          .remedy = "exclude less"});
-    }
-    const bool constant = std::ranges::adjacent_find(problem.measured, std::not_equal_to<>{}) == problem.measured.end();
-    if (problem.measured.size() > 2 && constant) {
-        throw InputError({.where = spectrum.source,
-                          .problem = fmt::format("all {} values in the window are {}", problem.measured.size(),
-                                                 problem.measured.front()),
-                          .why = "no skin looks the same at every wavelength",
-                          .remedy = "check the column and the file"});
+        bool moves = false;
+        bool own = false;
+        for (const FreeParameter& free : problem.free) {
+            if (!depends_on(quantity, free.parameter)) continue;
+            moves = true;
+            own = own || free.measurement.has_value();
+        }
+        if (!prior || !moves) continue;
+        for (std::size_t number = 0; number < (own ? problem.measurements.size() : 1); ++number) {
+            problem.derived_priors.push_back({.quantity = quantity, .prior = *prior, .measurement = number});
+        }
     }
 }
 
-void check_count(const FitProblem& problem, const std::string& source) {
+void check_count(const FitProblem& problem) {
     const auto priors = static_cast<std::size_t>(std::ranges::count_if(
                             problem.free, [](const FreeParameter& free) { return free.prior.has_value(); })) +
                         problem.derived_priors.size();
-    if (problem.wavelength_nm.size() + priors >= problem.free.size()) return;
-    throw InputError({.where = source,
-                      .problem = fmt::format("{} wavelengths in the window of the fit for {} free parameters",
-                                             problem.wavelength_nm.size(), problem.free.size()),
+    std::size_t readings = 0;
+    std::string sources;
+    for (const Measurement& measurement : problem.measurements) {
+        readings += measurement.wavelength_nm.size();
+        sources += (sources.empty() ? "" : ", ") + measurement.source;
+    }
+    if (readings + priors >= problem.free.size()) return;
+    throw InputError({.where = sources,
+                      .problem = fmt::format("{} wavelengths in the window of the fit for {} free parameters", readings,
+                                             problem.free.size()),
                       .why = "fewer measurements and priors than unknowns leave the answer open",
                       .remedy = "fix parameters with --fix, state priors, or measure more wavelengths"});
 }
 
 /// A free shift must not lead the model outside the tables.
-void check_shift(const FitProblem& problem, const FreeParameter& free) {
-    if (free.parameter != Parameter::wavelength_shift_nm) return;
+void check_shift(const Measurement& measurement, const FreeParameter& free) {
     const WavelengthRange modelled = modelled_wavelengths();
-    const double lowest = problem.wavelength_nm.front() + free.bounds.lower;
-    const double highest = problem.wavelength_nm.back() + free.bounds.upper;
+    const double lowest = measurement.wavelength_nm.front() + free.bounds.lower;
+    const double highest = measurement.wavelength_nm.back() + free.bounds.upper;
     if (lowest > modelled.lowest_nm && highest < modelled.highest_nm) return;
     throw InputError(
         {.where = key(free),
@@ -167,106 +154,70 @@ void check_shift(const FitProblem& problem, const FreeParameter& free) {
          .remedy = "narrow its bounds or the window of the fit"});
 }
 
-void check_wavelengths(const Configuration& configuration, const Spectrum& spectrum) {
-    if (configuration.wavelength_min_nm > configuration.wavelength_max_nm) {
-        throw InputError({.where = "wavelength_min_nm, wavelength_max_nm",
-                          .problem = fmt::format("{} nm is not below {} nm", configuration.wavelength_min_nm,
-                                                 configuration.wavelength_max_nm),
-                          .why = "no wavelength lies between them",
-                          .remedy = "exchange them"});
+void check_specular_fraction(const FitProblem& problem, const FreeParameter& free) {
+    for (std::size_t number = 0; number < problem.measurements.size(); ++number) {
+        const Measurement& measurement = problem.measurements[number];
+        const bool collects =
+            measurement.experiment.specular == Specular::excluded && measurement.quantity == Quantity::reflectance;
+        if (free.belongs_to(number) && collects) return;
     }
-    const WavelengthRange modelled = modelled_wavelengths();
-    if (configuration.wavelength_min_nm < modelled.lowest_nm || configuration.wavelength_max_nm > modelled.highest_nm) {
-        throw InputError(
-            {.where = "wavelength_min_nm, wavelength_max_nm",
-             .problem = fmt::format("{} to {} nm reaches outside the tables", configuration.wavelength_min_nm,
-                                    configuration.wavelength_max_nm),
-             .why = fmt::format("the pigments are tabulated from {} to {} nm", modelled.lowest_nm, modelled.highest_nm),
-             .remedy = "narrow the window of the fit"});
-    }
-    if (spectrum.wavelength_nm.front() > configuration.wavelength_max_nm ||
-        spectrum.wavelength_nm.back() < configuration.wavelength_min_nm) {
-        throw InputError({.where = spectrum.source,
-                          .problem = fmt::format("measured from {} to {} nm", spectrum.wavelength_nm.front(),
-                                                 spectrum.wavelength_nm.back()),
-                          .why = fmt::format("nothing of it lies in the window of the fit, {} to {} nm",
-                                             configuration.wavelength_min_nm, configuration.wavelength_max_nm),
-                          .remedy = fmt::format("check that wavelengths are in nm, or move the window with --set "
-                                                "wavelength_min_nm=... and wavelength_max_nm=... within {} to {} nm",
-                                                modelled.lowest_nm, modelled.highest_nm)});
-    }
+    throw InputError({.where = key(free),
+                      .problem = "has no effect",
+                      .why = "it scales the surface reflectance where specular is excluded",
+                      .remedy = "fix it, or set specular=excluded for a reflectance"});
 }
 
-Configuration with_geometry(Configuration configuration, const Geometry& geometry) {
-    if (!configuration.viewing_cone_deg) configuration.viewing_cone_deg = geometry.viewing_cone_deg;
-    const bool cone = configuration.viewing_cone_deg.has_value();
-    configuration.incidence_deg = configuration.incidence_deg.value_or(
-        geometry.incidence_deg.value_or(cone ? default_incidence_deg_with_cone : default_incidence_deg));
-    configuration.specular = configuration.specular.value_or(
-        geometry.specular.value_or(cone ? default_specular_with_cone : default_specular));
-    return configuration;
+/// What depends on the measurements in which a parameter is free.
+void check_effects(const FitProblem& problem) {
+    for (const FreeParameter& free : problem.free) {
+        if (free.parameter == Parameter::specular_fraction) check_specular_fraction(problem, free);
+        if (free.parameter != Parameter::wavelength_shift_nm) continue;
+        for (std::size_t number = 0; number < problem.measurements.size(); ++number) {
+            if (free.belongs_to(number)) check_shift(problem.measurements[number], free);
+        }
+    }
 }
 
 }  // namespace
 
-Experiment make_experiment(const Configuration& configuration, const Geometry& geometry) {
-    const Configuration complete = with_geometry(configuration, geometry);
-    std::optional<double> viewing_cone_rad;
-    if (complete.viewing_cone_deg) viewing_cone_rad = *complete.viewing_cone_deg * rad_per_deg;
-    return {.values = configuration.values,
-            .edition = configuration.edition,
-            .layers = configuration.layers,
-            .base = resolved_base(configuration),
-            .incidence_rad = *complete.incidence_deg * rad_per_deg,
-            .specular = *complete.specular,
-            .viewing_cone_rad = viewing_cone_rad};
+std::string name_of(const FreeParameter& free) {
+    const std::string_view name = info(free.parameter).name;
+    return free.measurement ? fmt::format("{}[{}]", name, *free.measurement + 1) : std::string(name);
 }
 
-Configuration resolved(Configuration configuration, const Spectrum& spectrum) {
-    configuration = with_geometry(configuration, spectrum.geometry);
-    configuration.base = resolved_base(configuration);
-    configuration.quantity = configuration.quantity.value_or(spectrum.quantity.value_or(default_quantity));
-    return configuration;
-}
-
-FitProblem make_problem(const Configuration& configuration, const Spectrum& spectrum) {
+FitProblem make_problem(const Configuration& configuration, std::span<const Spectrum> spectra) {
     if (configuration.engine == Engine::walk) {
         throw InputError({.where = "engine",
                           .problem = "walk cannot be fitted",
                           .why = "its result moves in steps of one ray",
                           .remedy = "set engine=paths, engine=solver or engine=emulator"});
     }
-    check_viewing_cone(configuration);
-    check_wavelengths(configuration, spectrum);
-    FitProblem problem{.experiment = make_experiment(configuration, spectrum.geometry),
-                       .quantity = configuration.quantity.value(),
-                       .wavelength_nm = {},
-                       .measured = {},
-                       .sigma = {},
-                       .sigma_source = spectrum.sigma.empty()
-                                           ? fmt::format("{} at every wavelength (setting noise)", configuration.noise)
-                                           : "as the file states",
+    FitProblem problem{.measurements = {},
                        .free = {},
-                       .walk = {.incidence_rad = configuration.incidence_deg.value() * rad_per_deg,
-                                .rays = configuration.rays,
-                                .seed = configuration.seed},
+                       .seed = configuration.seed,
                        .discrepancy = configuration.discrepancy,
                        .loss = configuration.loss,
                        .loss_scale = configuration.loss_scale.value_or(default_loss_scale(configuration.loss))};
-    take_data(problem, configuration, spectrum);
-    for (const Parameter parameter : free_parameters(configuration)) {
-        problem.free.push_back(free_parameter(configuration, parameter));
-        check_shift(problem, problem.free.back());
+    for (const Spectrum& spectrum : spectra) {
+        problem.measurements.push_back(make_measurement(resolved(configuration, spectrum), spectrum));
     }
+    check_consistency(problem.measurements);
+    check_own(configuration);
+    for (const Parameter parameter : free_parameters(configuration)) add_free(configuration, parameter, problem);
     if (problem.free.empty()) {
         throw InputError({.where = "free",
                           .problem = "no parameter is free",
                           .why = "there is nothing to fit",
                           .remedy = "free some with --free, or use `skinfit simulate`"});
     }
-    problem.derived_priors = derived_priors(configuration, problem.free);
-    check_count(problem, spectrum.source);
+    check_effects(problem);
+    add_derived_priors(configuration, problem);
+    check_count(problem);
     return problem;
+}
+
+FitProblem make_problem(const Configuration& configuration, const Spectrum& spectrum) {
+    return make_problem(configuration, std::span(&spectrum, 1));
 }
 
 }  // namespace skinfit

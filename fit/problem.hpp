@@ -1,11 +1,14 @@
 #pragma once
 
+#include <cassert>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "fit/configuration.hpp"
+#include "fit/measurement.hpp"
 #include "measurements/spectrum.hpp"
-#include "model/spectrophotometer.hpp"
 
 namespace skinfit {
 
@@ -13,44 +16,55 @@ namespace skinfit {
 struct FreeParameter {
     Parameter parameter;
     double start;
-    Bounds bounds;                 ///< where a prior's density is zero at a bound: `within_support`
-    std::optional<Prior> prior{};  ///< unset: uniform within the bounds
+    Bounds bounds;                             ///< where a prior's density is zero at a bound: `within_support`
+    std::optional<Prior> prior{};              ///< unset: uniform within the bounds
+    std::optional<std::size_t> measurement{};  ///< of this measurement alone; unset: one value for all
+
+    /// Whether it is free in measurement `number`.
+    [[nodiscard]] bool belongs_to(std::size_t number) const { return measurement.value_or(number) == number; }
 };
+
+/// The parameter's name; of a parameter of one measurement with its number, counted from 1: `oxygen_saturation[2]`.
+[[nodiscard]] std::string name_of(const FreeParameter& free);
 
 /// A prior on a quantity computed from parameters.
 struct DerivedPrior {
     Derived quantity;
     Prior prior;
+    std::size_t measurement = 0;  ///< the one from whose parameters it is computed
 };
 
-/// One measured spectrum and the model that is to explain it.
+/// What is to be found, and from which measurements.
 struct FitProblem {
-    Experiment experiment;  ///< fixed values, and the starts of the free ones
-    Quantity quantity = Quantity::reflectance;
-    std::vector<double> wavelength_nm;  ///< within the window of the fit
-    std::vector<double> measured;       ///< fractions
-    std::vector<double> sigma;          ///< standard uncertainty of `measured`
-    std::string sigma_source;           ///< in words
+    std::vector<Measurement> measurements;  ///< at least one
     std::vector<FreeParameter> free;
-    WalkOptions walk;
-    std::vector<double> weight{};  ///< of each squared residual; empty: 1
+    std::uint64_t seed = 1;  ///< of the searches
     std::optional<Discrepancy> discrepancy{};
     Loss loss = Loss::squares;
     double loss_scale = 1.0;  ///< sigmas
     std::vector<DerivedPrior> derived_priors{};
+
+    /// The measurement of a problem that has one.
+    [[nodiscard]] const Measurement& only() const {
+        assert(measurements.size() == 1);
+        return measurements.front();
+    }
+    [[nodiscard]] Measurement& only() {
+        assert(measurements.size() == 1);
+        return measurements.front();
+    }
 };
 
-/// The experiment that `configuration` describes; `geometry` fills in what it leaves open.
-[[nodiscard]] Experiment make_experiment(const Configuration& configuration, const Geometry& geometry);
+/// The problem of explaining all `spectra` (at least one) by one specimen, but for the parameters that `configuration`
+/// lists as `own`, which have a value in each. What `configuration` leaves open is resolved for each spectrum. Throws
+/// InputError where that makes no sense: no wavelengths in the window or outside the tables, a constant spectrum, fewer
+/// wavelengths and priors than free parameters, none free, a start outside its bounds, a parameter that this engine
+/// cannot adjust or that has no effect, a prior with its mode outside the bounds or less than a tenth of its mass
+/// inside; the same values twice, or a reflectance and a transmittance that add up to more than 1. A prior on what is
+/// fixed has no effect, like the bounds of a fixed parameter.
+[[nodiscard]] FitProblem make_problem(const Configuration& configuration, std::span<const Spectrum> spectra);
 
-/// `configuration` with everything filled in that the spectrum or the defaults decide.
-[[nodiscard]] Configuration resolved(Configuration configuration, const Spectrum& spectrum);
-
-/// The problem of fitting `spectrum` as `resolved_configuration` says. Throws InputError where that makes no sense: no
-/// wavelengths in the window or outside the tables, a constant spectrum, fewer wavelengths and priors than free
-/// parameters, none free, a start outside its bounds, a parameter that this engine cannot adjust or that has no effect,
-/// a prior with its mode outside the bounds or less than a tenth of its mass inside. A prior on what is fixed has no
-/// effect, like the bounds of a fixed parameter.
-[[nodiscard]] FitProblem make_problem(const Configuration& resolved_configuration, const Spectrum& spectrum);
+/// The same for one spectrum.
+[[nodiscard]] FitProblem make_problem(const Configuration& configuration, const Spectrum& spectrum);
 
 }  // namespace skinfit

@@ -14,33 +14,33 @@ double collected_surface(const Experiment& experiment, Quantity quantity) {
     return quantity == Quantity::reflectance ? surface_weight(experiment) : 0.0;
 }
 
-double reading(const EscapedLight& light, const Experiment& experiment, Quantity quantity) {
+Eigen::VectorXd readings(const EscapedLight& light, const Experiment& experiment, Quantity quantity) {
     const Instrument& instrument = experiment.values.instrument;
     const double surface = collected_surface(experiment, quantity);
-    return instrument.scale * (light.share + surface * light.surface) + instrument.offset;
+    return (instrument.scale * (light.share.array() + surface * light.surface.array()) + instrument.offset).matrix();
 }
 
-Eigen::RowVectorXd reading_derivatives(const EscapedLight& light, const Experiment& experiment, Quantity quantity,
-                                       std::span<const Parameter> parameters) {
-    assert(light.share_by.size() == static_cast<Column>(parameters.size()));
+Eigen::MatrixXd reading_derivatives(const EscapedLight& light, const Experiment& experiment, Quantity quantity,
+                                    std::span<const Parameter> parameters) {
+    assert(light.share_by.cols() == static_cast<Column>(parameters.size()));
     const double surface = collected_surface(experiment, quantity);
     const double scale = experiment.values.instrument.scale;
     const bool collects_fraction =
         quantity == Quantity::reflectance && experiment.specular == Specular::excluded && !experiment.viewing_cone_rad;
-    Eigen::RowVectorXd by(light.share_by.size());
-    for (Column column = 0; column < by.size(); ++column) {
+    Eigen::MatrixXd by(light.share_by.rows(), light.share_by.cols());
+    for (Column column = 0; column < by.cols(); ++column) {
         switch (parameters[static_cast<std::size_t>(column)]) {
             case Parameter::scale:
-                by[column] = light.share + surface * light.surface;
+                by.col(column) = light.share + surface * light.surface;
                 break;
             case Parameter::offset:
-                by[column] = 1.0;
+                by.col(column).setOnes();
                 break;
             case Parameter::specular_fraction:
-                by[column] = collects_fraction ? scale * light.surface : 0.0;
+                by.col(column) = (collects_fraction ? scale : 0.0) * light.surface;
                 break;
             default:
-                by[column] = scale * (light.share_by[column] + surface * light.surface_by[column]);
+                by.col(column) = scale * (light.share_by.col(column) + surface * light.surface_by.col(column));
         }
     }
     return by;

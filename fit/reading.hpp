@@ -8,7 +8,7 @@
 #include "model/parameters.hpp"
 #include "model/spectrophotometer.hpp"
 
-/// What the instrument makes of the light of one wavelength.
+/// What the instrument makes of the light.
 namespace skinfit {
 
 /// The side through which the light of `quantity` leaves.
@@ -17,12 +17,12 @@ namespace skinfit {
 /// The share of the surface reflectance in the reading.
 [[nodiscard]] double collected_surface(const Experiment& experiment, Quantity quantity);
 
-/// The reading, a fraction: scale * light + offset.
-[[nodiscard]] double reading(const EscapedLight& light, const Experiment& experiment, Quantity quantity);
+/// The reading at each wavelength, a fraction: scale * light + offset.
+[[nodiscard]] Eigen::VectorXd readings(const EscapedLight& light, const Experiment& experiment, Quantity quantity);
 
-/// The derivatives of `reading` by `parameters`, each per unit of the parameter; `light` must have been computed with
-/// derivatives by the same parameters.
-[[nodiscard]] Eigen::RowVectorXd reading_derivatives(const EscapedLight& light, const Experiment& experiment,
-                                                     Quantity quantity, std::span<const Parameter> parameters);
+/// The derivatives of `readings` by `parameters`, each per unit of the parameter: wavelengths x parameters. `light`
+/// must have been computed with derivatives by the same parameters.
+[[nodiscard]] Eigen::MatrixXd reading_derivatives(const EscapedLight& light, const Experiment& experiment,
+                                                  Quantity quantity, std::span<const Parameter> parameters);
 
 }  // namespace skinfit

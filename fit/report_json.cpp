@@ -13,18 +13,19 @@ Json or_null(const std::optional<Value>& value) {
 
 Json parameters_json(const FitResult& result) {
     Json json;
-    for (const FittedParameter& fitted : result.parameters) {
-        const ParameterInfo& row = info(fitted.parameter);
-        const ParameterUncertainty& uncertainty = fitted.uncertainty;
-        json[std::string(row.name)] = {{"value", fitted.value},
-                                       {"sigma", or_null(uncertainty.sigma)},
-                                       {"monte_carlo_sigma", or_null(uncertainty.monte_carlo_sigma)},
-                                       {"interval_95", {uncertainty.interval_95.lower, uncertainty.interval_95.upper}},
-                                       {"lower", fitted.bounds.lower},
-                                       {"upper", fitted.bounds.upper},
-                                       {"start", fitted.start},
-                                       {"status", name_of(uncertainty.status)},
-                                       {"unit", row.unit}};
+    for (const std::vector<FittedParameter>* rows : {&result.free, &result.fixed}) {
+        for (const FittedParameter& fitted : *rows) {
+            const ParameterUncertainty& uncertainty = fitted.uncertainty;
+            json[fitted.name] = {{"value", fitted.value},
+                                 {"sigma", or_null(uncertainty.sigma)},
+                                 {"monte_carlo_sigma", or_null(uncertainty.monte_carlo_sigma)},
+                                 {"interval_95", {uncertainty.interval_95.lower, uncertainty.interval_95.upper}},
+                                 {"lower", fitted.bounds.lower},
+                                 {"upper", fitted.bounds.upper},
+                                 {"start", fitted.start},
+                                 {"status", name_of(uncertainty.status)},
+                                 {"unit", info(fitted.parameter).unit}};
+        }
     }
     return json;
 }
@@ -33,7 +34,7 @@ Json correlation_json(const FitResult& result) {
     Json names = Json::array();
     Json matrix = Json::array();
     for (Eigen::Index a = 0; a < result.correlation.rows(); ++a) {
-        names.push_back(info(result.free[static_cast<std::size_t>(a)]).name);
+        names.push_back(result.free[static_cast<std::size_t>(a)].name);
         Json row = Json::array();
         for (Eigen::Index b = 0; b < result.correlation.cols(); ++b) row.push_back(result.correlation(a, b));
         matrix.push_back(row);
@@ -44,7 +45,7 @@ Json correlation_json(const FitResult& result) {
 Json values_json(const FitResult& result, const Minimum& minimum) {
     Json values;
     for (std::size_t i = 0; i < result.free.size(); ++i) {
-        values[std::string(info(result.free[i]).name)] = minimum.values[i];
+        values[result.free[i].name] = minimum.values[i];
     }
     return values;
 }
@@ -79,13 +80,46 @@ Json solver_name(Solver solver) {
     return to_json(configuration)["solver"];
 }
 
+Json origin_json(const FittedSpectrum& spectrum) {
+    return {{"name", spectrum.name},
+            {"source", spectrum.source},
+            {"unit_rule", spectrum.unit_rule},
+            {"sigma_source", spectrum.sigma_source}};
+}
+
+Json readings_json(const FittedSpectrum& spectrum) {
+    Json residual = Json::array();
+    for (std::size_t i = 0; i < spectrum.measured.size(); ++i) {
+        residual.push_back(spectrum.modelled[i] - spectrum.measured[i]);
+    }
+    return {{"wavelength_nm", spectrum.wavelength_nm},
+            {"measured", spectrum.measured},
+            {"sigma", spectrum.sigma},
+            {"modelled", spectrum.modelled},
+            {"residual", residual}};
+}
+
+/// Of a joint fit: each spectrum with its own misfit and geometry.
+Json spectra_json(const FitResult& result) {
+    Json spectra = Json::array();
+    for (const FittedSpectrum& spectrum : result.spectra) {
+        Json json = origin_json(spectrum);
+        json.update(readings_json(spectrum));
+        json["rmse"] = spectrum.rmse;
+        json["chi2"] = spectrum.chi2;
+        const Json configuration = to_json(spectrum.configuration);
+        for (const char* key : {"quantity", "incidence_deg", "specular", "viewing_cone_deg"}) {
+            json[key] = configuration[key];
+        }
+        spectra.push_back(json);
+    }
+    return spectra;
+}
+
 }  // namespace
 
 Json json_report(const FitResult& result) {
     const Json configuration = to_json(result.configuration);
-    Json residual = Json::array();
-    for (std::size_t i = 0; i < result.measured.size(); ++i)
-        residual.push_back(result.modelled[i] - result.measured[i]);
     Json json = {{"verdict", name_of(result.verdict)},
                  {"reasons", result.reasons},
                  {"rmse", result.rmse},
@@ -107,16 +141,14 @@ Json json_report(const FitResult& result) {
         json["cross_check"].push_back(answer_json(result, other, solver_name(other.solver)));
         json["cross_check"].back()["seconds"] = other.seconds;
     }
-    json["spectrum"] = {{"name", result.spectrum_name},
-                        {"source", result.spectrum_source},
-                        {"unit_rule", result.unit_rule},
-                        {"sigma_source", result.sigma_source}};
+    if (result.spectra.size() == 1) {
+        const FittedSpectrum& only = result.spectra.front();
+        json["spectrum"] = origin_json(only);
+        json.update(readings_json(only));
+    } else {
+        json["spectra"] = spectra_json(result);
+    }
     json["findings"] = findings_json(result.findings);
-    json["wavelength_nm"] = result.wavelength_nm;
-    json["measured"] = result.measured;
-    json["sigma"] = result.sigma;
-    json["modelled"] = result.modelled;
-    json["residual"] = residual;
     for (const char* key : {"edition", "engine", "seed", "rays"}) json[key] = configuration[key];
     json["version"] = version;
     json["configuration"] = configuration;

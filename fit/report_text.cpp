@@ -49,23 +49,23 @@ std::string model_error_words(const FitResult& result) {
 }
 
 std::string parameter_row(const FittedParameter& fitted) {
-    const ParameterInfo& row = info(fitted.parameter);
+    const std::string unit = unit_in_words(info(fitted.parameter));
     const ParameterUncertainty& uncertainty = fitted.uncertainty;
     const double width = fitted.bounds.upper - fitted.bounds.lower;
     const double grain = uncertainty.sigma.value_or(width / 1000);
     const std::string interval = interval_words(uncertainty, grain);
     switch (uncertainty.status) {
         case Status::free:
-            return fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}\n", row.name, rounded(fitted.value, grain),
+            return fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}\n", fitted.name, rounded(fitted.value, grain),
                                uncertainty.sigma ? rounded(*uncertainty.sigma, grain) : "-",
                                uncertainty.sigma ? monte_carlo_words(*uncertainty.monte_carlo_sigma) : "-", interval,
-                               unit_in_words(row));
+                               unit);
         case Status::not_identifiable:
-            return fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}  NOT IDENTIFIABLE\n", row.name, "-", "-", "-",
-                               interval, unit_in_words(row));
+            return fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}  NOT IDENTIFIABLE\n", fitted.name, "-", "-", "-",
+                               interval, unit);
         default:
-            return fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}  {}\n", row.name, rounded(fitted.value, grain),
-                               "-", "-", interval, unit_in_words(row),
+            return fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}  {}\n", fitted.name, rounded(fitted.value, grain),
+                               "-", "-", interval, unit,
                                uncertainty.status == Status::at_lower_bound ? "AT LOWER BOUND" : "AT UPPER BOUND");
     }
 }
@@ -73,17 +73,14 @@ std::string parameter_row(const FittedParameter& fitted) {
 std::string parameter_table_text(const FitResult& result) {
     std::string text = fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}\n", "free parameter", "value", "+/- 1 sigma",
                                    "Monte Carlo", "95 % interval", "unit");
-    for (const FittedParameter& fitted : result.parameters) {
-        if (fitted.uncertainty.status != Status::fixed) text += parameter_row(fitted);
-    }
+    for (const FittedParameter& fitted : result.free) text += parameter_row(fitted);
     return text;
 }
 
 std::string fixed_text(const FitResult& result) {
     std::string text = "fixed:";
-    for (const FittedParameter& fitted : result.parameters) {
-        if (fitted.uncertainty.status != Status::fixed) continue;
-        const std::string item = fmt::format(" {}={:.6g}", info(fitted.parameter).name, fitted.value);
+    for (const FittedParameter& fitted : result.fixed) {
+        const std::string item = fmt::format(" {}={:.6g}", fitted.name, fitted.value);
         const std::size_t line_start = text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1;
         constexpr std::size_t line_length = 110;
         if (text.size() + item.size() - line_start > line_length) text += "\n      ";
@@ -99,8 +96,8 @@ std::string correlation_text(const FitResult& result) {
         for (Eigen::Index b = a + 1; b < result.correlation.cols(); ++b) {
             if (std::abs(result.correlation(a, b)) <= strong) continue;
             text += fmt::format("  {:+.3f}  {} with {}\n", result.correlation(a, b),
-                                info(result.free[static_cast<std::size_t>(a)]).name,
-                                info(result.free[static_cast<std::size_t>(b)]).name);
+                                result.free[static_cast<std::size_t>(a)].name,
+                                result.free[static_cast<std::size_t>(b)].name);
         }
     }
     return text.empty() ? "correlations above 0.9: none\n" : "correlations above 0.9:\n" + text;
@@ -161,22 +158,64 @@ std::string cost_text(const FitResult& result) {
     return text;
 }
 
-std::string model_text(const Configuration& configuration) {
+/// The value of a setting.
+std::string word(const Json& configuration, const char* key) {
+    const Json& value = configuration[key];
+    if (value.is_string()) return value.get<std::string>();
+    return value.is_number_float() ? fmt::format("{:g}", value.get<double>()) : value.dump();
+}
+
+std::string instrument_text(const Configuration& configuration) {
     const Json json = to_json(configuration);
-    const auto word = [&json](const char* key) {
-        if (json[key].is_string()) return json[key].get<std::string>();
-        return json[key].is_number_float() ? fmt::format("{:g}", json[key].get<double>()) : json[key].dump();
-    };
-    const bool draws_rays = configuration.engine == Engine::paths || configuration.engine == Engine::walk;
-    const std::string rays = draws_rays ? fmt::format(", {} rays", word("rays")) : "";
     return fmt::format(
-        "model: edition {}, engine {}{}, seed {}; {} layers on base {}\n"
-        "instrument: {}, incidence {} deg, specular {}{}\n"
-        "skinfit {}, research software, not a medical device\n",
-        word("edition"), word("engine"), rays, word("seed"), word("layers"), word("base"), word("quantity"),
-        word("incidence_deg"), word("specular"),
-        configuration.viewing_cone_deg ? fmt::format(", viewing cone {:g} deg", *configuration.viewing_cone_deg) : "",
-        version);
+        "{}, incidence {} deg, specular {}{}", word(json, "quantity"), word(json, "incidence_deg"),
+        word(json, "specular"),
+        configuration.viewing_cone_deg ? fmt::format(", viewing cone {:g} deg", *configuration.viewing_cone_deg) : "");
+}
+
+std::string model_text(const FitResult& result) {
+    const Configuration& configuration = result.spectra.front().configuration;
+    const Json json = to_json(configuration);
+    const bool draws_rays = configuration.engine == Engine::paths || configuration.engine == Engine::walk;
+    const std::string rays = draws_rays ? fmt::format(", {} rays", word(json, "rays")) : "";
+    std::string text =
+        fmt::format("model: edition {}, engine {}{}, seed {}; {} layers on base {}\n", word(json, "edition"),
+                    word(json, "engine"), rays, word(json, "seed"), word(json, "layers"), word(json, "base"));
+    if (result.spectra.size() == 1) text += fmt::format("instrument: {}\n", instrument_text(configuration));
+    return text + fmt::format("skinfit {}, research software, not a medical device\n", version);
+}
+
+std::string title_text(const FitResult& result) {
+    if (result.spectra.size() == 1) {
+        return fmt::format("{} ({})\n", result.spectra.front().name, result.spectra.front().source);
+    }
+    std::string text = fmt::format("{} spectra, explained together\n", result.spectra.size());
+    for (std::size_t k = 0; k < result.spectra.size(); ++k) {
+        const FittedSpectrum& spectrum = result.spectra[k];
+        text += fmt::format("  [{}] {} ({}): {}\n", k + 1, spectrum.name, spectrum.source,
+                            instrument_text(spectrum.configuration));
+    }
+    return text;
+}
+
+std::string readings_text(const FittedSpectrum& spectrum) {
+    return fmt::format("wavelengths: {} from {:g} to {:g} nm; values read as {}\n", spectrum.wavelength_nm.size(),
+                       spectrum.wavelength_nm.front(), spectrum.wavelength_nm.back(), spectrum.unit_rule);
+}
+
+/// Noise and wavelengths; of several spectra with their misfits.
+std::string spectra_text(const FitResult& result) {
+    if (result.spectra.size() == 1) {
+        const FittedSpectrum& only = result.spectra.front();
+        return fmt::format("noise: {}; {}\n", only.sigma_source, model_error_words(result)) + readings_text(only);
+    }
+    std::string text;
+    for (std::size_t k = 0; k < result.spectra.size(); ++k) {
+        const FittedSpectrum& spectrum = result.spectra[k];
+        text += fmt::format("  [{}] rmse {:.5f}, chi2 {:.2f}; noise: {}; {}", k + 1, spectrum.rmse, spectrum.chi2,
+                            spectrum.sigma_source, readings_text(spectrum));
+    }
+    return text + model_error_words(result) + "\n";
 }
 
 }  // namespace
@@ -210,18 +249,15 @@ std::string_view name_of(Status status) {
 std::string text_report(const FitResult& result) {
     std::string verdict(name_of(result.verdict));
     if (result.verdict != Verdict::trustworthy) std::ranges::transform(verdict, verdict.begin(), ::toupper);
-    std::string text = fmt::format("{} ({})\nverdict: {}\n", result.spectrum_name, result.spectrum_source, verdict);
+    std::string text = title_text(result) + fmt::format("verdict: {}\n", verdict);
     for (const std::string& reason : result.reasons) text += fmt::format("  - {}\n", reason);
-    if (!result.findings.empty()) text += findings_text(result.findings, 1);
+    if (!result.findings.empty()) text += findings_text(result.findings, result.spectra.size());
     text += fmt::format("\n{}\n", parameter_table_text(result));
     text += fmt::format("misfit: rmse {:.5f}, chi2 {:.2f} for {:.3g} degrees of freedom{}\n", result.rmse, result.chi2,
                         result.degrees_of_freedom, result.p_value ? fmt::format(" (p = {:.2g})", *result.p_value) : "");
-    text += cost_text(result);
-    text += fmt::format("noise: {}; {}\n", result.sigma_source, model_error_words(result));
-    text += fmt::format("wavelengths: {} from {:g} to {:g} nm; values read as {}\n", result.wavelength_nm.size(),
-                        result.wavelength_nm.front(), result.wavelength_nm.back(), result.unit_rule);
+    text += cost_text(result) + spectra_text(result);
     return text + correlation_text(result) + uncertainty_text(result) + minima_text(result) + cross_check_text(result) +
-           fixed_text(result) + model_text(result.configuration);
+           fixed_text(result) + model_text(result);
 }
 
 }  // namespace skinfit

@@ -27,12 +27,12 @@ std::string inflation_text(const FitResult& result) {
 std::string directions_text(const Identifiability& found) {
     std::string text = "what the spectrum can tell, in sigmas of noise for a prior standard deviation:\n";
     for (const Direction& direction : found.directions) {
-        text += fmt::format("  {:>8.3g}  {}{}\n", direction.singular_value, in_words(direction, found.parameters),
+        text += fmt::format("  {:>8.3g}  {}{}\n", direction.singular_value, in_words(direction, found.names),
                             direction.is_weak() ? "  WEAK" : "");
     }
     text += "prior variance taken away by the spectrum:\n";
-    for (std::size_t i = 0; i < found.parameters.size(); ++i) {
-        text += fmt::format("  {:>6.1f} %  {}\n", 100.0 * found.shrinkage[i], info(found.parameters[i]).name);
+    for (std::size_t i = 0; i < found.names.size(); ++i) {
+        text += fmt::format("  {:>6.1f} %  {}\n", 100.0 * found.shrinkage[i], found.names[i]);
     }
     return text;
 }
@@ -47,8 +47,8 @@ std::string posterior_text(const FitResult& result) {
                         "tails");
     for (std::size_t i = 0; i < result.free.size(); ++i) {
         const Marginal& row = posterior.marginals[i];
-        text += fmt::format("  {:<34}{:>12.4g}{:>12.2g}{:>10.3f}{:>12.0f}{:>12.0f}\n", info(result.free[i]).name,
-                            row.median, row.sigma, row.r_hat, row.bulk_effective_size, row.tail_effective_size);
+        text += fmt::format("  {:<34}{:>12.4g}{:>12.2g}{:>10.3f}{:>12.0f}{:>12.0f}\n", result.free[i].name, row.median,
+                            row.sigma, row.r_hat, row.bulk_effective_size, row.tail_effective_size);
     }
     return text;
 }
@@ -57,13 +57,12 @@ Json directions_json(const Identifiability& found) {
     Json directions = Json::array();
     for (const Direction& direction : found.directions) {
         Json components;
-        for (std::size_t i = 0; i < found.parameters.size(); ++i) {
-            components[std::string(info(found.parameters[i]).name)] =
-                direction.components[static_cast<Eigen::Index>(i)];
+        for (std::size_t i = 0; i < found.names.size(); ++i) {
+            components[found.names[i]] = direction.components[static_cast<Eigen::Index>(i)];
         }
         directions.push_back({{"singular_value", direction.singular_value},
                               {"weak", direction.is_weak()},
-                              {"words", in_words(direction, found.parameters)},
+                              {"words", in_words(direction, found.names)},
                               {"components", components}});
     }
     return directions;
@@ -76,13 +75,13 @@ Json posterior_json(const FitResult& result) {
                  {"parameters", Json::object()},         {"correlation", Json::array()}};
     for (std::size_t i = 0; i < result.free.size(); ++i) {
         const Marginal& row = posterior.marginals[i];
-        json["parameters"][std::string(info(result.free[i]).name)] = {{"median", row.median},
-                                                                      {"mean", row.mean},
-                                                                      {"sigma", row.sigma},
-                                                                      {"interval_95", {row.lower, row.upper}},
-                                                                      {"r_hat", row.r_hat},
-                                                                      {"bulk_effective_size", row.bulk_effective_size},
-                                                                      {"tail_effective_size", row.tail_effective_size}};
+        json["parameters"][result.free[i].name] = {{"median", row.median},
+                                                   {"mean", row.mean},
+                                                   {"sigma", row.sigma},
+                                                   {"interval_95", {row.lower, row.upper}},
+                                                   {"r_hat", row.r_hat},
+                                                   {"bulk_effective_size", row.bulk_effective_size},
+                                                   {"tail_effective_size", row.tail_effective_size}};
     }
     for (const auto& row : posterior.correlation.rowwise()) {
         json["correlation"].push_back(std::vector<double>(row.begin(), row.end()));
@@ -103,9 +102,8 @@ Json uncertainty_json(const FitResult& result) {
                  {"inflation", result.inflation ? Json(*result.inflation) : Json()},
                  {"directions", directions_json(result.identifiability)},
                  {"shrinkage", Json::object()}};
-    for (std::size_t i = 0; i < result.identifiability.parameters.size(); ++i) {
-        json["shrinkage"][std::string(info(result.identifiability.parameters[i]).name)] =
-            result.identifiability.shrinkage[i];
+    for (std::size_t i = 0; i < result.identifiability.names.size(); ++i) {
+        json["shrinkage"][result.identifiability.names[i]] = result.identifiability.shrinkage[i];
     }
     if (result.profile) {
         json["profile"] = {{"evaluations", result.profile->evaluations},

@@ -20,6 +20,7 @@ enum class Verdict { trustworthy, suspect, failed };
 /// One parameter of a fit, free or fixed.
 struct FittedParameter {
     Parameter parameter;
+    std::string name;  ///< `name_of` the free parameter, else of the parameter
     double value;
     double start;
     Bounds bounds;
@@ -33,45 +34,58 @@ struct SolverAnswer {
     double seconds = 0.0;  ///< of all its searches
 };
 
+/// One spectrum and its explanation.
+struct FittedSpectrum {
+    std::string name;
+    std::string source;
+    std::string unit_rule;
+    std::string sigma_source;
+    Configuration configuration;  ///< resolved for this spectrum
+    double rmse = 0.0;            ///< of reading minus measurement, fraction
+    double chi2 = 0.0;            ///< as `FitResult::chi2`, of this spectrum alone
+    std::vector<double> wavelength_nm;
+    std::vector<double> measured;
+    std::vector<double> sigma;
+    std::vector<double> modelled;
+};
+
 /// Everything a report needs.
 struct FitResult {
     Verdict verdict = Verdict::failed;
-    std::vector<std::string> reasons;  ///< each with its remedy; empty when trustworthy
-    std::string spectrum_name;
-    std::string spectrum_source;
-    std::string unit_rule;
-    std::string sigma_source;
-    std::vector<Finding> findings;  ///< on the spectrum, made before the fit
-    double rmse = 0.0;              ///< of reading minus measurement, fraction
+    std::vector<std::string> reasons;     ///< each with its remedy; empty when trustworthy
+    std::vector<FittedSpectrum> spectra;  ///< at least one
+    std::vector<Finding> findings;        ///< on the spectra, made before the fit
+    double rmse = 0.0;                    ///< of reading minus measurement, over all spectra, fraction
     double chi2 = 0.0;  ///< of the data alone, whitened by noise and discrepancy: without weights, loss and priors
     double cost = 0.0;  ///< what was minimised
     /// The expectation of chi2 where model, noise and priors are right: wavelengths minus parameters as far as the data
     /// determine them, which without priors is all of them.
     double degrees_of_freedom = 0.0;
-    std::optional<double> p_value;       ///< of chi2; none without degrees of freedom
-    std::optional<double> runs_p_value;  ///< that the unexplained residuals change sign as rarely
+    std::optional<double> p_value;  ///< of chi2; none without degrees of freedom
+    /// That the unexplained residuals change sign as rarely: the least of the spectra, times their number.
+    std::optional<double> runs_p_value;
     /// Root mean square of the residuals, less what the discrepancy explains of them, in sigmas of the noise.
     double unexplained = 0.0;
-    double median_sigma = 0.0;                ///< of the measurement
-    double monte_carlo_error = 0.0;           ///< median standard error of the modelled reading
-    std::optional<double> emulator_error;     ///< largest, certified, of the share that leaves; engine emulator only
-    std::vector<FittedParameter> parameters;  ///< in the order of the parameter table
-    std::vector<Parameter> free;              ///< rows of `correlation`
+    double median_sigma = 0.0;             ///< of the measurement
+    double monte_carlo_error = 0.0;        ///< median standard error of the modelled reading
+    std::optional<double> emulator_error;  ///< largest, certified, of the share that leaves; engine emulator only
+    std::vector<FittedParameter> free;     ///< in the order of the parameter table; rows of `correlation`
+    std::vector<FittedParameter> fixed;    ///< the others, in that order
     Eigen::MatrixXd correlation;
     Identifiability identifiability;
     std::optional<Profile> profile;      ///< where the intervals are those of profiles
     std::optional<Posterior> posterior;  ///< in values, where the intervals are those of the posterior
     std::optional<double> inflation;     ///< sqrt(chi2 / degrees of freedom); none without degrees of freedom
-    std::vector<double> wavelength_nm;
-    std::vector<double> measured;
-    std::vector<double> sigma;
-    std::vector<double> modelled;
     SolverAnswer answer;
     std::vector<DistinctMinimum> minima;    ///< of the answer's searches, best first; the first is the answer
     std::vector<std::string> priors;        ///< in use, in words
     std::vector<SolverAnswer> cross_check;  ///< other solvers on the same objective; empty unless asked for
-    Configuration configuration;            ///< resolved: the fit can be run again from it
+    /// The fit can be run again from it: of one spectrum resolved, of several as stated.
+    Configuration configuration;
 };
+
+/// The number of readings of all spectra.
+[[nodiscard]] std::size_t reading_count(const FitResult& result);
 
 /// Whether anything but chi2 was minimised.
 [[nodiscard]] bool has_own_cost(const FitResult& result);

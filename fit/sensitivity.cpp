@@ -28,15 +28,13 @@ Sensitivity sensitivity(const Configuration& configuration) {
     check_viewing_cone(result.configuration);
     const Quantity quantity = result.configuration.quantity.value();
     const Experiment experiment = make_experiment(result.configuration, {});
-    (void)extinctions(true_wavelengths_nm(experiment, result.wavelength_nm), experiment.edition);  // refuses early
+    const ModelWavelengths wavelengths = model_wavelengths(experiment, result.wavelength_nm);
     const std::vector<Parameter> parameters = all_parameters();
-    const std::vector<EscapedLight> lights =
-        light_of(angular_solver(experiment), experiment, measured_side(quantity), result.wavelength_nm, parameters);
-    Eigen::MatrixXd derivative(static_cast<Index>(lights.size()), static_cast<Index>(parameters.size()));
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-        result.reading.push_back(reading(lights[i], experiment, quantity));
-        derivative.row(static_cast<Index>(i)) = reading_derivatives(lights[i], experiment, quantity, parameters);
-    }
+    const EscapedLight light =
+        light_of(angular_solver(experiment), experiment, measured_side(quantity), wavelengths, parameters);
+    const Eigen::VectorXd reading = readings(light, experiment, quantity);
+    result.reading.assign(reading.begin(), reading.end());
+    const Eigen::MatrixXd derivative = reading_derivatives(light, experiment, quantity, parameters);
     std::vector<Index> columns;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         const auto column = static_cast<Index>(i);

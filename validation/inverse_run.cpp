@@ -51,15 +51,15 @@ InverseStudy run_inverse_study(const Configuration& configuration, Engine simula
     const Configuration complete = resolved(configuration, spectrum);
     const FitProblem problem = make_problem(complete, spectrum);
     FitProblem simulated = problem;
-    ++simulated.walk.seed;
-    const Objective truth(simulated, make_model(simulated, simulator, cache));
+    ++simulated.only().walk.seed;
+    const Objective truth(simulated, make_models(simulated, simulator, cache));
     design.noise = complete.noise;
     design.seed = complete.seed;
     design.starts = complete.starts;
     design.thorough_starts = 4 * complete.starts;
     return {.free = problem.free,
             .spectra = recover(
-                problem, make_model(problem, complete.engine, cache),
+                problem, make_models(problem, complete.engine, cache),
                 [&truth](std::span<const double> values) { return truth.readings(values); }, design)};
 }
 

@@ -29,7 +29,7 @@ double drawn_value(const FreeParameter& free, ChainRandom& random) {
 
 /// Drawn again as often as the priors on derived quantities refuse: those multiply the density of the others.
 std::vector<double> drawn_skin(const FitProblem& problem, ChainRandom& random) {
-    Experiment experiment = problem.experiment;
+    Experiment experiment = problem.only().experiment;
     while (true) {
         std::vector<double> values;
         for (const FreeParameter& free : problem.free) {
@@ -137,24 +137,24 @@ RecoveredSpectrum analysed(const Searched& searched, const Searched& elsewhere, 
 
 }  // namespace
 
-std::vector<RecoveredSpectrum> recover(const FitProblem& problem, const ForwardModel& model, const Simulator& simulate,
-                                       const RecoveryDesign& design) {
+std::vector<RecoveredSpectrum> recover(const FitProblem& problem, const std::vector<ForwardModel>& models,
+                                       const Simulator& simulate, const RecoveryDesign& design) {
     std::vector<RecoveredSpectrum> recovered(design.spectra);
-    const ForwardModel rough = cheap_model(problem, model);
+    const std::vector<ForwardModel> rough = cheap_models(problem, models);
     constexpr std::size_t at_a_time = 10;  // they share one copy of the models
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, design.spectra, at_a_time), [&](const auto& range) {
         FitProblem own = problem;
-        std::ranges::fill(own.sigma, design.noise);
+        std::ranges::fill(own.only().sigma, design.noise);
         FitProblem shifted = own;
-        ++shifted.walk.seed;  // of the points from which searches start
-        const Objective objective(own, model);
+        ++shifted.seed;  // of the points from which searches start
+        const Objective objective(own, models);
         const Objective cheap(own, rough);
-        const Objective objective_elsewhere(shifted, model);
+        const Objective objective_elsewhere(shifted, models);
         const Objective cheap_elsewhere(shifted, rough);
         for (std::size_t k = range.begin(); k < range.end(); ++k) {
             const Case drawn = drawn_case(problem, simulate, design, k);
-            own.measured = drawn.measured;
-            shifted.measured = drawn.measured;
+            own.only().measured = drawn.measured;
+            shifted.only().measured = drawn.measured;
             recovered[k] = analysed({cheap, objective}, {cheap_elsewhere, objective_elsewhere}, drawn.truth, design, k);
         }
     });

@@ -59,7 +59,7 @@ struct RecoveredSpectrum {
 /// Draws `design.spectra` skins, each free parameter from its prior within its bounds (uniform where it has none) and
 /// all of them as priors on derived quantities say, simulates each with `simulate`, and fits `problem` to it over
 /// `model`. Spectra in parallel, the same results on any number of threads.
-[[nodiscard]] std::vector<RecoveredSpectrum> recover(const FitProblem& problem, const ForwardModel& model,
+[[nodiscard]] std::vector<RecoveredSpectrum> recover(const FitProblem& problem, const std::vector<ForwardModel>& models,
                                                      const Simulator& simulate, const RecoveryDesign& design);
 
 }  // namespace skinfit

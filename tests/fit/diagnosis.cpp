@@ -25,7 +25,7 @@ void expect_trusted(const FitResult& result) {
 }
 
 FittedParameter& melanosomes(FitResult& result) {
-    return result.parameters[static_cast<std::size_t>(Parameter::melanosome_fraction)];
+    return result.free.front();
 }
 
 TEST(Diagnosis, TrustsWhereNothingIsWrong) {
@@ -141,7 +141,7 @@ TEST(Diagnosis, RunsBeyondADiscrepancyAreNotToldToSetOne) {
 
 TEST(Diagnosis, FewerWavelengthsThanParameters) {
     FitResult result = trustworthy_result();
-    result.wavelength_nm.clear();
+    result.spectra.front().measured.clear();
     result.p_value.reset();
     expect_only(result, "FEWER WAVELENGTHS THAN PARAMETERS: 0 for 1");
 }

@@ -90,7 +90,7 @@ TEST(EmulatorEngine, ObjectiveJacobianEqualsDifferences) {
         EXPECT_GT(at.jacobian.col(column).cwiseAbs().maxCoeff(), 100.0 * error);
         const double largest = lean.jacobian.col(column).cwiseAbs().maxCoeff();
         for (Eigen::Index row = 0; row < lean.reading.size(); ++row) {
-            const double sigma = problem.sigma[static_cast<std::size_t>(row)];
+            const double sigma = problem.only().sigma[static_cast<std::size_t>(row)];
             EXPECT_NEAR(lean.reading[row] * sigma, at.reading[row], 1e-14);
             EXPECT_NEAR(lean.jacobian(row, column), at.jacobian(row, column) * slopes[i] / sigma, 1e-12 * largest);
         }
@@ -128,17 +128,18 @@ struct Bulk {
     FitProblem problem = make_problem(configuration, noisy_spectrum(configuration, 0.0, 1));
     Emulator emulator = Emulator::build(emulator_domain(problem));
     std::vector<Spectrum> spectra;
-    Eigen::MatrixXd matrix{static_cast<Eigen::Index>(problem.wavelength_nm.size()), count};
+    Eigen::MatrixXd matrix{static_cast<Eigen::Index>(problem.only().wavelength_nm.size()), count};
 
     Bulk() {
         for (int number = 1; number <= count; ++number) {
             Spectrum spectrum;
             spectrum.name = spectrum.source = "synthetic";
-            spectrum.wavelength_nm = problem.wavelength_nm;
+            spectrum.wavelength_nm = problem.only().wavelength_nm;
             const std::vector<double> normal =
-                normal_numbers(static_cast<std::uint64_t>(number), problem.wavelength_nm.size());
+                normal_numbers(static_cast<std::uint64_t>(number), problem.only().wavelength_nm.size());
             const Experiment experiment = make_experiment(specimen(configuration, number), {});
-            for (const Reading& reading : read_by_emulator(experiment, problem.wavelength_nm, emulator, std::nullopt)) {
+            for (const Reading& reading :
+                 read_by_emulator(experiment, problem.only().wavelength_nm, emulator, std::nullopt)) {
                 spectrum.value.push_back(reading.reflectance + configuration.noise * normal[spectrum.value.size()]);
             }
             matrix.col(number - 1) =
@@ -157,7 +158,7 @@ TEST(FitInBulk, EndsWhereTheSingleFitEnds) {
     for (std::size_t i = 0; i < fits.size(); ++i) {
         SCOPED_TRACE(i);
         FitProblem problem = bulk.problem;
-        problem.measured = bulk.spectra[i].value;
+        problem.only().measured = bulk.spectra[i].value;
         const Objective objective(problem, bulk.emulator);
         const Minimum minimum = minimise_by_ceres(objective, starts(problem));
         const Uncertainty uncertainty = estimate_uncertainty(objective, minimum);
@@ -232,7 +233,8 @@ TEST(FitInBulk, RefusesWhatIsNoPlainSumOfSquares) {
         }
     };
     expect_refusal("loss", [](FitProblem& problem) { problem.loss = Loss::huber; });
-    expect_refusal("weights", [](FitProblem& problem) { problem.weight.assign(problem.sigma.size(), 2.0); });
+    expect_refusal("weights",
+                   [](FitProblem& problem) { problem.only().weight.assign(problem.only().sigma.size(), 2.0); });
     expect_refusal("discrepancy", [](FitProblem& problem) { problem.discrepancy = Discrepancy{}; });
     expect_refusal("priors", [](FitProblem& problem) { problem.free[0].prior = Prior{}; });
     expect_refusal("priors", [](FitProblem& problem) { problem.derived_priors.emplace_back(); });

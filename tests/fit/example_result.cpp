@@ -1,5 +1,7 @@
 #include "tests/fit/example_result.hpp"
 
+#include <algorithm>
+
 #include "fit/diagnosis.hpp"
 
 namespace skinfit::test {
@@ -16,10 +18,6 @@ ParameterUncertainty without_sigma(Status status, const Bounds& interval) {
 /// A result in which every parameter is fixed at its default.
 FitResult all_fixed() {
     FitResult result;
-    result.spectrum_name = "Forearm 7";
-    result.spectrum_source = "forearm.csv";
-    result.unit_rule = "percent: most values exceed 1.5";
-    result.sigma_source = "0.006 at every wavelength (default)";
     result.configuration = default_configuration();
     result.configuration.free.fill(false);
     result.configuration.base = Base{};
@@ -28,11 +26,12 @@ FitResult all_fixed() {
     result.configuration.quantity = Quantity::reflectance;
     for (const ParameterInfo& row : parameter_table()) {
         const double value = value_of(result.configuration.values, row.parameter);
-        result.parameters.push_back({.parameter = row.parameter,
-                                     .value = value,
-                                     .start = value,
-                                     .bounds = {row.lower, row.upper},
-                                     .uncertainty = without_sigma(Status::fixed, {value, value})});
+        result.fixed.push_back({.parameter = row.parameter,
+                                .name = std::string(row.name),
+                                .value = value,
+                                .start = value,
+                                .bounds = {row.lower, row.upper},
+                                .uncertainty = without_sigma(Status::fixed, {value, value})});
     }
     result.rmse = 0.00512;
     result.chi2 = 30.25;
@@ -44,25 +43,41 @@ FitResult all_fixed() {
     result.unexplained = 1.01;
     result.median_sigma = 0.006;
     result.monte_carlo_error = 0.00042;
-    result.wavelength_nm = {400, 550, 700};
-    result.measured = {0.1, 0.25, 0.5};
-    result.sigma = {0.006, 0.006, 0.006};
-    result.modelled = {0.105, 0.2475, 0.5};
+    result.spectra.push_back({.name = "Forearm 7",
+                              .source = "forearm.csv",
+                              .unit_rule = "percent: most values exceed 1.5",
+                              .sigma_source = "0.006 at every wavelength (default)",
+                              .configuration = result.configuration,
+                              .rmse = 0.00512,
+                              .chi2 = 30.25,
+                              .wavelength_nm = {400, 550, 700},
+                              .measured = {0.1, 0.25, 0.5},
+                              .sigma = {0.006, 0.006, 0.006},
+                              .modelled = {0.105, 0.2475, 0.5}});
     return result;
 }
 
 void make_free(FitResult& result, Parameter parameter, double value, const ParameterUncertainty& uncertainty) {
-    FittedParameter& row = result.parameters[static_cast<std::size_t>(parameter)];
+    const auto found = std::ranges::find(result.fixed, parameter, &FittedParameter::parameter);
+    FittedParameter row = *found;
+    result.fixed.erase(found);
     row.value = value;
     row.uncertainty = uncertainty;
-    result.free.push_back(parameter);
+    result.free.push_back(row);
     result.configuration.free[static_cast<std::size_t>(parameter)] = true;
     result.answer.minimum.values.push_back(value);
 }
 
+std::vector<std::string> names_of(const std::vector<FittedParameter>& rows) {
+    std::vector<std::string> names;
+    for (const FittedParameter& row : rows) names.push_back(row.name);
+    return names;
+}
+
 /// Of five parameters: the first two trade against each other, nothing is known of the last.
-Identifiability example_identifiability(const std::vector<Parameter>& free) {
-    Identifiability found{.parameters = free, .directions = {}, .shrinkage = {0.9999, 0.997, 0.93, 0.99, 0.02}};
+Identifiability example_identifiability(const FitResult& result) {
+    Identifiability found{
+        .names = names_of(result.free), .directions = {}, .shrinkage = {0.9999, 0.997, 0.93, 0.99, 0.02}};
     const std::vector<std::vector<double>> components = {
         {0.9, 0.43, 0.05, 0, 0}, {0, 0, 0, 1, 0}, {0, 0, 1, 0, 0.02}, {-0.43, 0.9, 0, 0, 0.01}, {0, 0, 0, 0, -1}};
     const std::vector<double> singular_values = {212.3, 10.5, 3.6, 2.2, 0.14};
@@ -94,7 +109,7 @@ FitResult example_result() {
     result.priors = {"oxygen_saturation: beta, a 2, b 2"};
     result.correlation = Eigen::MatrixXd::Identity(5, 5);
     result.correlation(0, 1) = result.correlation(1, 0) = -0.934;
-    result.identifiability = example_identifiability(result.free);
+    result.identifiability = example_identifiability(result);
     result.answer.solver = Solver::ceres;
     result.answer.minimum.chi2 = 30.25;
     result.answer.minimum.cost = 31.5;
@@ -123,7 +138,7 @@ FitResult trustworthy_result() {
     FitResult result = all_fixed();
     make_free(result, Parameter::melanosome_fraction, 0.0234567, plain(0.00123, 0.000045, {0.02104, 0.02587}));
     result.correlation = Eigen::MatrixXd::Identity(1, 1);
-    result.identifiability = {.parameters = result.free,
+    result.identifiability = {.names = names_of(result.free),
                               .directions = {{.singular_value = 117.4, .components = Eigen::VectorXd::Ones(1)}},
                               .shrinkage = {0.99993}};
     result.answer.minimum.cost = result.cost;

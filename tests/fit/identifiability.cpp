@@ -28,9 +28,9 @@ TEST(Identifiability, OfASumNamesWhatTrades) {
     EXPECT_FALSE(found.directions[0].is_weak());
     EXPECT_NEAR(found.directions[1].singular_value, 0.0, 1e-9);
     EXPECT_TRUE(found.directions[1].is_weak());
-    const std::string words = in_words(found.directions[1], found.parameters);
+    const std::string words = in_words(found.directions[1], found.names);
     EXPECT_NE(words.find("trades against"), std::string::npos) << words;
-    EXPECT_NE(in_words(found.directions[0], found.parameters).find("together with"), std::string::npos);
+    EXPECT_NE(in_words(found.directions[0], found.names).find("together with"), std::string::npos);
     // Half of the prior variance of each is left: that of the difference.
     const double sum_left = 1.0 / (1.0 + 2.0 * 12500.0 / 12.0);
     for (const double shrinkage : found.shrinkage) EXPECT_NEAR(shrinkage, 1.0 - 0.5 * (1.0 + sum_left), 1e-9);
@@ -40,7 +40,7 @@ TEST(Identifiability, OfOneReadingLeavesOtherDirectionsUnknown) {
     const Identifiability found = identifiability((MatrixXd(1, 2) << 100, 0).finished(), two_free());
     ASSERT_EQ(found.directions.size(), 2U);
     EXPECT_EQ(found.directions[1].singular_value, 0.0);
-    EXPECT_EQ(in_words(found.directions[1], found.parameters), "reticular_blood_fraction");
+    EXPECT_EQ(in_words(found.directions[1], found.names), "reticular_blood_fraction");
     EXPECT_NEAR(found.shrinkage[1], 0.0, 1e-12);
     EXPECT_NEAR(found.shrinkage[0], 1.0 - 1.0 / (1.0 + 1e4 / 12.0), 1e-12);
 }

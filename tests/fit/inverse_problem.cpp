@@ -91,9 +91,9 @@ TEST(InverseProblem, ExcludedWavelengthsDoNotMatter) {
     Spectrum spectrum = spectrum_of_table_1();
     const Configuration masked = stated(R"({"exclude_nm": [[495, 505], [600, 620]]})");
     const FitProblem problem = make_problem(resolved(masked, spectrum), spectrum);
-    EXPECT_EQ(problem.wavelength_nm.size(), 31U - 4U);
+    EXPECT_EQ(problem.only().wavelength_nm.size(), 31U - 4U);
     spectrum.value[10] = 1.0;  // 500 nm
-    EXPECT_EQ(make_problem(resolved(masked, spectrum), spectrum).measured, problem.measured);
+    EXPECT_EQ(make_problem(resolved(masked, spectrum), spectrum).only().measured, problem.only().measured);
 }
 
 TEST(InverseProblem, APriorActsLikeAMeasurementOfTheParameter) {

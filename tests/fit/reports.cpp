@@ -89,8 +89,9 @@ TEST(JsonReport, RepeatsTheResult) {
     EXPECT_EQ(json["parameters"]["scale"]["status"], "fixed");
     EXPECT_EQ(json["correlation"]["parameters"].size(), 5U);
     EXPECT_EQ(json["correlation"]["matrix"][0][1], -0.934);
-    for (std::size_t i = 0; i < result.measured.size(); ++i) {
-        EXPECT_EQ(json["residual"][i], result.modelled[i] - result.measured[i]);
+    const FittedSpectrum& spectrum = result.spectra.front();
+    for (std::size_t i = 0; i < spectrum.measured.size(); ++i) {
+        EXPECT_EQ(json["residual"][i], spectrum.modelled[i] - spectrum.measured[i]);
     }
     EXPECT_EQ(json["configuration"], to_json(result.configuration));
 }

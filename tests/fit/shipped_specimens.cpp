@@ -38,10 +38,11 @@ TEST(ShippedSpecimens, DarkerSkinIsExplainedEitherWay) {
 double extreme_nm(const FitResult& result, double first, double last, double sign) {
     double best_nm = 0.0;
     double best = -1e9;
-    for (std::size_t i = 0; i < result.wavelength_nm.size(); ++i) {
-        const double nm = result.wavelength_nm[i];
-        if (nm < first || nm > last || sign * result.modelled[i] <= best) continue;
-        best = sign * result.modelled[i];
+    const FittedSpectrum& spectrum = result.spectra.front();
+    for (std::size_t i = 0; i < spectrum.wavelength_nm.size(); ++i) {
+        const double nm = spectrum.wavelength_nm[i];
+        if (nm < first || nm > last || sign * spectrum.modelled[i] <= best) continue;
+        best = sign * spectrum.modelled[i];
         best_nm = nm;
     }
     return best_nm;

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <cmath>
 
 #include "fit/fit.hpp"
@@ -44,8 +46,8 @@ TEST(SolverEngine, JacobianEqualsDifferencesForParametersThatSteer) {
     const std::vector<double> wavelengths_nm = {411.1, 433.3, 455.5, 477.7, 511.1, 544.9, 577.7, 611.1, 641.1};
     const Spectrum spectrum = spectrum_of(read_by_solver(make_experiment(configuration, {}), wavelengths_nm));
     const FitProblem problem = make_problem(configuration, spectrum);
-    const Objective objective(
-        problem, AngularSolver(problem.experiment.sample(), {.incidence_rad = problem.experiment.incidence_rad}));
+    const Objective objective(problem, AngularSolver(problem.only().experiment.sample(),
+                                                     {.incidence_rad = problem.only().experiment.incidence_rad}));
     const std::vector<double> values = starts(problem);
     const Eigen::MatrixXd jacobian = objective.model(values).jacobian;
     for (std::size_t i = 0; i < free.size(); ++i) {
@@ -78,11 +80,10 @@ TEST(SolverEngine, RecoversGeometryWithPigments) {
         {Parameter::melanosome_fraction, Parameter::fibril_radius_nm, Parameter::papillary_dermis_thickness_cm});
     const FitResult result = fit_spectrum(start, spectrum, {.cross_check = false, .cache = no_cache()});
     // Ceres stops at a relative step of 1e-9 of the box; the noise of 0.006 makes sigmas a million times that.
-    for (const Parameter parameter : result.free) {
-        const FittedParameter& fitted = result.parameters[static_cast<std::size_t>(parameter)];
-        ASSERT_TRUE(fitted.uncertainty.sigma.has_value()) << info(parameter).name;
-        EXPECT_LT(std::abs(fitted.value - value_of(truth.values, parameter)), 1e-3 * *fitted.uncertainty.sigma)
-            << info(parameter).name;
+    for (const FittedParameter& fitted : result.free) {
+        ASSERT_TRUE(fitted.uncertainty.sigma.has_value()) << fitted.name;
+        EXPECT_LT(std::abs(fitted.value - value_of(truth.values, fitted.parameter)), 1e-3 * *fitted.uncertainty.sigma)
+            << fitted.name;
         EXPECT_EQ(*fitted.uncertainty.monte_carlo_sigma, 0.0);
     }
 }
@@ -108,7 +109,7 @@ TEST(SolverEngine, ExplainsTheWalkToWithinItsNoise) {
     for (double& value : spectrum.value) value *= 1.02;  // an error of 2 % is seen, since the scale is fixed
     const FitResult wrong = fit_spectrum(start, spectrum, {.cross_check = false, .cache = no_cache()});
     const auto off = [&](Parameter parameter) {
-        const FittedParameter& fitted = wrong.parameters[static_cast<std::size_t>(parameter)];
+        const FittedParameter& fitted = *std::ranges::find(wrong.free, parameter, &FittedParameter::parameter);
         return std::abs(fitted.value - value_of(truth.values, parameter)) >
                5.0 * fitted.uncertainty.sigma.value_or(0.0);
     };

@@ -60,7 +60,7 @@ EnsembleCache no_cache() {
 
 Task::Task(const Configuration& configuration, const Spectrum& spectrum)
     : problem(make_problem(resolved(configuration, spectrum), spectrum)),
-      objective(problem, traced(problem.experiment, problem.wavelength_nm, configuration)) {}
+      objective(problem, traced(problem.only().experiment, problem.only().wavelength_nm, configuration)) {}
 
 std::vector<double> normal_numbers(std::uint64_t seed, std::size_t count) {
     std::mt19937_64 bits(seed);

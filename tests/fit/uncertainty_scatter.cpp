@@ -42,7 +42,7 @@ Eigen::VectorXd as_vector(const std::vector<double>& values) {
 TEST(UncertaintyScatter, SigmaIsTheScatterOfFitsToNoisySpectra) {
     const Configuration truth = inner_truth();
     Task task(truth, modelled_spectrum(truth, grid_nm(400, 700, 20)));
-    const std::vector<double> clean = task.problem.measured;
+    const std::vector<double> clean = task.problem.only().measured;
     const std::vector<double> true_values = starts(task.problem);
     constexpr std::size_t spectra = 200;
     const std::vector<double> noise = normal_numbers(20, spectra * clean.size());
@@ -50,7 +50,7 @@ TEST(UncertaintyScatter, SigmaIsTheScatterOfFitsToNoisySpectra) {
     double together = 0.0;                            // squared misses by the whole covariance
     for (std::size_t k = 0; k < spectra; ++k) {
         for (std::size_t i = 0; i < clean.size(); ++i) {
-            task.problem.measured[i] = clean[i] + truth.noise * noise[k * clean.size() + i];
+            task.problem.only().measured[i] = clean[i] + truth.noise * noise[k * clean.size() + i];
         }
         const Minimum minimum = minimise_by_ceres(task.objective, true_values);
         const Uncertainty uncertainty = estimate_uncertainty(task.objective, minimum);

@@ -87,11 +87,11 @@ TEST(ViewingCone, TheFitFindsWhatWasSeenThroughIt) {
     const Configuration start =
         with_free(cone_configuration(), {Parameter::melanosome_fraction, Parameter::fibril_radius_nm});
     const FitResult result = fit_spectrum(start, spectrum, {.cross_check = false, .cache = no_cache()});
-    for (const Parameter parameter : result.free) {
-        const FittedParameter& fitted = result.parameters[static_cast<std::size_t>(parameter)];
+    for (const FittedParameter& fitted : result.free) {
         // Ceres stops at a relative step of 1e-9 of the box; the noise of 0.006 makes sigmas a million times that.
-        EXPECT_LT(std::abs(fitted.value - value_of(truth.values, parameter)), 1e-3 * fitted.uncertainty.sigma.value())
-            << info(parameter).name;
+        EXPECT_LT(std::abs(fitted.value - value_of(truth.values, fitted.parameter)),
+                  1e-3 * fitted.uncertainty.sigma.value())
+            << fitted.name;
     }
     Configuration hemisphere = start;
     hemisphere.viewing_cone_deg = 90;

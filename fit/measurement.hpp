@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fit/configuration.hpp"
+#include "measurements/spectrum.hpp"
+#include "model/spectrophotometer.hpp"
+
+namespace skinfit {
+
+/// One measured spectrum, and the experiment that is to explain it.
+struct Measurement {
+    std::string source;     ///< the file it came from
+    Experiment experiment;  ///< fixed values, and the starts of the free ones
+    Quantity quantity = Quantity::reflectance;
+    std::vector<double> wavelength_nm;  ///< within the window of the fit
+    std::vector<double> measured;       ///< fractions
+    std::vector<double> sigma;          ///< standard uncertainty of `measured`
+    std::string sigma_source;           ///< in words
+    WalkOptions walk;
+    std::vector<double> weight{};  ///< of each squared residual; empty: 1
+};
+
+/// The experiment that `configuration` describes; `geometry` fills in what it leaves open.
+[[nodiscard]] Experiment make_experiment(const Configuration& configuration, const Geometry& geometry);
+
+/// `configuration` with everything filled in that the spectrum or the defaults decide.
+[[nodiscard]] Configuration resolved(Configuration configuration, const Spectrum& spectrum);
+
+/// `spectrum` as the fit takes it. Throws InputError for no wavelengths in the window or outside the tables, and for a
+/// constant spectrum.
+[[nodiscard]] Measurement make_measurement(const Configuration& resolved_configuration, const Spectrum& spectrum);
+
+/// Throws InputError where two of the measurements hold the same values, which would count twice, or where a
+/// reflectance and a transmittance of one specimen add up to more than 1 by more than their noise explains.
+void check_consistency(std::span<const Measurement> measurements);
+
+}  // namespace skinfit
