@@ -19,6 +19,7 @@ struct FitCommand {
     SharedOptions shared;
     std::vector<std::string> files;
     std::vector<std::string> columns;
+    std::string reader;
     std::string unit;
     std::vector<std::string> free;
     std::vector<std::string> fix;
@@ -59,7 +60,8 @@ std::vector<Spectrum> read_all(const FitCommand& command, const Configuration& s
         const std::string& file = command.files[files == 1 ? 0 : k];
         ReadOptions options{.column = stated.column, .unit = stated.unit};
         if (columns > 1) options.column = command.columns[k];
-        spectra.push_back(read_spectrum(file, options));
+        spectra.push_back(
+            read_spectrum(file, options, command.reader.empty() ? std::nullopt : std::optional(command.reader)));
     }
     return spectra;
 }
@@ -106,7 +108,7 @@ void add_fit_command(CLI::App& app, int& exit_code) {
     const auto command = std::make_shared<FitCommand>();
     CLI::App* const fit = app.add_subcommand("fit", "explain a measured spectrum by skin biology");
     fit->add_option("FILE", command->files,
-                    "spectrum: text of columns, the first the wavelength in nm; several are explained together")
+                    "spectrum: text of columns or rows, JCAMP-DX, CGATS (.ti3) or JSON; several are explained together")
         ->required();
     fit->add_option(
            "--column", command->columns,
@@ -115,6 +117,7 @@ void add_fit_command(CLI::App& app, int& exit_code) {
         ->type_name("NAME")
         ->expected(1)
         ->take_all();
+    add_reader_option(*fit, command->reader);
     fit->add_option("--unit", command->unit, "of the values: fraction or percent; found by a rule otherwise");
     fit->add_option("--free", command->free, "adjust these parameters too; `skinfit config show` lists their names")
         ->type_name("NAME,NAME")

@@ -1,6 +1,7 @@
 #include "app/shared_options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -10,6 +11,7 @@
 #include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "fit/configuration_json.hpp"
+#include "measurements/spectrum_file.hpp"
 
 namespace skinfit {
 
@@ -43,6 +45,13 @@ void add_shared_options(CLI::App& command, SharedOptions& options, const std::ve
     command.add_option("--threads", options.threads, "at most so many; the result does not depend on it")
         ->check(CLI::Range(1, 1024));
     command.add_flag("--no-cache", options.no_cache, "do not keep or use recorded walks");
+}
+
+void add_reader_option(CLI::App& command, std::string& reader) {
+    command
+        .add_option("--reader", reader,
+                    fmt::format("the form of FILE, where it is not recognised: {}", fmt::join(reader_names(), ", ")))
+        ->type_name("NAME");
 }
 
 Configuration configuration_from(const SharedOptions& options, const Configuration& defaults) {

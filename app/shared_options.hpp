@@ -27,6 +27,9 @@ struct SharedOptions {
 /// Adds them to `command`; `formats` are the choices of --format, the first the default.
 void add_shared_options(CLI::App& command, SharedOptions& options, const std::vector<std::string>& formats);
 
+/// Adds --reader, which overrides the recognition of a file's form.
+void add_reader_option(CLI::App& command, std::string& reader);
+
 /// `defaults`, changed by --config and then by each --set. Throws InputError.
 [[nodiscard]] Configuration configuration_from(const SharedOptions& options,
                                                const Configuration& defaults = default_configuration());

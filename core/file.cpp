@@ -4,10 +4,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 
 #include "core/input_error.hpp"
 
@@ -19,6 +17,56 @@ namespace {
                       .problem = "cannot be written",
                       .why = std::strerror(error),
                       .remedy = "name a file in a folder that exists, is writable and has space; nothing was written"});
+}
+
+[[noreturn]] void refuse_to_read(const std::filesystem::path& path, int error) {
+    throw InputError({.where = path.string(),
+                      .problem = "cannot be read",
+                      .why = std::strerror(error),
+                      .remedy = "check the name and the permission to read it"});
+}
+
+[[noreturn]] void refuse_size(const std::filesystem::path& path) {
+    throw InputError({.where = path.string(),
+                      .problem = "is too large",
+                      .why = "at most 2 GiB are read at once",
+                      .remedy = "split it"});
+}
+
+/// An open file, closed at the end.
+class Descriptor {
+public:
+    explicit Descriptor(int descriptor) : descriptor_(descriptor) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+    }
+    [[nodiscard]] int get() const { return descriptor_; }
+
+private:
+    int descriptor_;
+};
+
+/// Its size, after checking that it is an ordinary file.
+std::size_t ordinary_file_size(const std::filesystem::path& path, const Descriptor& descriptor) {
+    struct stat status {};
+    if (::fstat(descriptor.get(), &status) != 0) refuse_to_read(path, errno);
+    if (S_ISDIR(status.st_mode)) {
+        throw InputError({.where = path.string(),
+                          .problem = "is a folder",
+                          .why = "a file is needed here",
+                          .remedy = "name a file inside it"});
+    }
+    if (!S_ISREG(status.st_mode)) {
+        throw InputError({.where = path.string(),
+                          .problem = "is a pipe or a device",
+                          .why = "an ordinary file is needed here",
+                          .remedy = "write its content to a file first"});
+    }
+    const auto size = static_cast<std::size_t>(status.st_size);
+    if (size > largest_file_bytes) refuse_size(path);
+    return size;
 }
 
 /// Writes all bytes; returns 0 or the errno of what failed.
@@ -73,28 +121,23 @@ bool is_stream(const std::filesystem::path& path) {
 }  // namespace
 
 std::string read_file(const std::filesystem::path& path) {
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error)) {
-        throw InputError({.where = path.string(),
-                          .problem = "is a folder",
-                          .why = "a file is needed here",
-                          .remedy = "name a file inside it"});
+    // Without O_NONBLOCK, opening a pipe waits for whoever writes into it.
+    const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+    if (descriptor.get() < 0) refuse_to_read(path, errno);
+    const std::size_t size = ordinary_file_size(path, descriptor);
+    std::string bytes(size, '\0');
+    std::size_t filled = 0;
+    for (;;) {
+        // Files of /proc say that they are empty, and others may grow.
+        if (filled == bytes.size()) bytes.resize(filled + (std::size_t{1} << 16U));
+        const ssize_t count = ::read(descriptor.get(), bytes.data() + filled, bytes.size() - filled);
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) refuse_to_read(path, errno);
+        if (count == 0) break;
+        filled += static_cast<std::size_t>(count);
+        if (filled > largest_file_bytes) refuse_size(path);
     }
-    errno = 0;
-    std::ifstream stream(path, std::ios::binary);
-    // Block by block: byte by byte, reading the program itself for its fingerprint took half of a warm start.
-    std::string bytes;
-    std::array<char, std::size_t{1} << 16U> block;
-    while (stream) {
-        stream.read(block.data(), block.size());
-        bytes.append(block.data(), static_cast<std::size_t>(stream.gcount()));
-    }
-    if (!stream.is_open() || stream.bad()) {
-        throw InputError({.where = path.string(),
-                          .problem = "cannot be read",
-                          .why = std::strerror(errno),
-                          .remedy = "check the name and the permission to read it"});
-    }
+    bytes.resize(filled);
     return bytes;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -7,7 +8,11 @@
 
 namespace skinfit {
 
-/// The bytes of the file at `path`. Throws InputError when it is missing, a folder or unreadable.
+/// The largest file that is read into memory: 2 GiB.
+inline constexpr std::size_t largest_file_bytes = std::size_t{1} << 31U;
+
+/// The bytes of the file at `path`. Throws InputError when it is missing, unreadable, too large or no ordinary file,
+/// such as a folder or a pipe; never waits for one.
 [[nodiscard]] std::string read_file(const std::filesystem::path& path);
 
 /// Replaces the file at `path` by `bytes` in one step: it holds all of the old or all of the new, never a part.

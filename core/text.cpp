@@ -10,20 +10,26 @@
 namespace skinfit {
 
 std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view white = " \t\r\n\v\f";
-    const std::size_t first = text.find_first_not_of(white);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(white) - first + 1);
+    const auto is_white = [](char c) { return c == ' ' || (c >= '\t' && c <= '\r'); };
+    while (!text.empty() && is_white(text.front())) text.remove_prefix(1);
+    while (!text.empty() && is_white(text.back())) text.remove_suffix(1);
+    return text;
+}
+
+std::optional<std::string_view> LineReader::next() {
+    if (at_ >= text_.size()) return std::nullopt;
+    if (feed_ < at_ || at_ == 0) feed_ = std::min(text_.find('\n', at_), text_.size());
+    const std::string_view upto_feed = text_.substr(at_, feed_ - at_);
+    const std::size_t size = std::min(upto_feed.find('\r'), upto_feed.size());
+    at_ += size;
+    at_ += text_.substr(at_, 2) == "\r\n" ? 2 : 1;
+    return upto_feed.substr(0, size);
 }
 
 std::vector<std::string_view> split_lines(std::string_view text) {
     std::vector<std::string_view> lines;
-    while (!text.empty()) {
-        const std::size_t end = text.find_first_of("\r\n");
-        lines.push_back(text.substr(0, end));
-        if (end == std::string_view::npos) break;
-        text.remove_prefix(end + (text.substr(end, 2) == "\r\n" ? 2 : 1));
-    }
+    LineReader reader(text);
+    while (const auto line = reader.next()) lines.push_back(*line);
     return lines;
 }
 

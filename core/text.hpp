@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -11,6 +12,19 @@ namespace skinfit {
 
 /// `text` without white space at its ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// Gives the lines of a text, one after the other; LF, CRLF and CR all end a line.
+class LineReader {
+public:
+    explicit LineReader(std::string_view text) : text_(text) {}
+    /// The next line without its end; nothing after the last.
+    [[nodiscard]] std::optional<std::string_view> next();
+
+private:
+    std::string_view text_;
+    std::size_t at_ = 0;
+    std::size_t feed_ = 0;  ///< the next LF at or after `at_`, or the end
+};
 
 /// The lines of `text`; LF, CRLF and CR all end a line.
 [[nodiscard]] std::vector<std::string_view> split_lines(std::string_view text);

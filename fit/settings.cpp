@@ -257,12 +257,6 @@ std::size_t read_choice(const Json& value, std::span<const std::string_view> nam
     return static_cast<std::size_t>(found - names.begin());
 }
 
-std::string shown(const Json& json) {
-    constexpr std::size_t longest = 60;
-    const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    return text.size() <= longest ? text : text.substr(0, longest) + "...";
-}
-
 std::span<const Setting> setting_table() {
     static const std::vector<Setting> settings = [] {
         std::vector<Setting> all = general_settings();

@@ -1,17 +1,15 @@
 #pragma once
 
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/json.hpp"
 #include "fit/configuration.hpp"
 
 namespace skinfit {
-
-using Json = nlohmann::ordered_json;
 
 /// One setting of the configuration: the one place that knows its name, form and meaning.
 struct Setting {
@@ -42,9 +40,6 @@ struct Range {
 /// Which of `names` `value` is. Throws InputError where it is none of them, naming the nearest.
 [[nodiscard]] std::size_t read_choice(const Json& value, std::span<const std::string_view> names,
                                       const std::string& where);
-
-/// `json` as it stands in messages: on one line, cut where it is long; bytes that are not UTF-8 are replaced.
-[[nodiscard]] std::string shown(const Json& json);
 
 /// Reads "400:700:20" (first:last:step), a list "400,450,500" or a single number, nm. Throws InputError naming `where`.
 [[nodiscard]] std::vector<double> parse_wavelengths(std::string_view text, const std::string& where);

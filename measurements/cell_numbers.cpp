@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
 #include "core/input_error.hpp"
 #include "core/text.hpp"
+#include "measurements/cells.hpp"
 #include "measurements/column_choice.hpp"
 #include "measurements/words.hpp"
 
@@ -17,61 +19,101 @@ namespace {
 
 bool has_decimal_commas(const Columns& columns, std::span<const std::size_t> wanted) {
     if (columns.separator != '\t' && columns.separator != ';') return false;
-    return std::ranges::any_of(columns.rows, [wanted](const Row& row) {
-        return std::ranges::any_of(wanted,
-                                   [&row](std::size_t c) { return row.cells[c].find(',') != std::string::npos; });
+    CellCutter cutter(columns.separator);
+    return std::ranges::any_of(columns.rows, [&](const Row& row) {
+        if (row.text.find(',') == std::string_view::npos) return false;
+        const std::span<const std::string_view> cells = cutter.cut(row.text);
+        return std::ranges::any_of(wanted, [&](std::size_t c) { return cells[c].find(',') != std::string_view::npos; });
     });
 }
 
-[[noreturn]] void refuse_word(const Columns& columns, std::size_t line, std::size_t column, std::string_view cell) {
+[[noreturn]] void refuse_word(const std::string& where, const std::string& name, std::string_view cell) {
     const bool commas = cell.find(',') != std::string::npos;
-    throw InputError({.where = at_line(columns, line),
-                      .problem = fmt::format("holds {} as {}", in_quotes(cell), label(columns, column)),
+    throw InputError({.where = where,
+                      .problem = fmt::format("holds {} as {}", in_quotes(cell), name),
                       .why = commas ? "a decimal comma is understood between tabs or semicolons only, and is no "
                                       "separator of thousands"
                                     : "a number is needed",
                       .remedy = "correct the field or delete the line"});
 }
 
-double read_number(const Columns& columns, const Row& row, std::size_t column, bool decimal_comma) {
-    const std::string_view cell = row.cells[column];
-    if (is_missing(cell)) {
-        throw InputError(
-            {.where = at_line(columns, row.line),
-             .problem = fmt::format("{} is {}", label(columns, column), cell.empty() ? "empty" : in_quotes(cell)),
-             .why = "every line needs a number here",
-             .remedy = "delete the line or choose another column"});
-    }
+/// A cell that is neither a number nor missing.
+struct Word {
+    std::size_t line;
+    std::string_view cell;
+};
+
+}  // namespace
+
+std::optional<double> parse_cell(std::string_view cell, bool decimal_comma) {
+    if (!decimal_comma) return parse_number(cell);
+    if (cell.find('.') != std::string_view::npos) return std::nullopt;
     std::string text(cell);
-    if (decimal_comma && text.find('.') != std::string::npos) {
-        throw InputError({.where = at_line(columns, row.line),
-                          .problem = fmt::format("holds {} as {}", in_quotes(cell), label(columns, column)),
+    if (const std::size_t comma = text.find(','); comma != std::string::npos) text[comma] = '.';
+    return parse_number(text);
+}
+
+void refuse_cell(const std::string& where, const std::string& name, std::string_view cell, bool decimal_comma) {
+    if (is_missing(cell)) {
+        throw InputError({.where = where,
+                          .problem = fmt::format("{} is {}", name, cell.empty() ? "empty" : in_quotes(cell)),
+                          .why = "every line needs a number here",
+                          .remedy = "delete the line or choose another column"});
+    }
+    if (decimal_comma && cell.find('.') != std::string_view::npos) {
+        throw InputError({.where = where,
+                          .problem = fmt::format("holds {} as {}", in_quotes(cell), name),
                           .why = "other fields have a decimal comma, so this one can be read in two ways",
                           .remedy = "write all numbers with a decimal point and without separators of thousands"});
     }
-    if (const std::size_t comma = text.find(','); decimal_comma && comma != std::string::npos) text[comma] = '.';
-    const std::optional<double> number = parse_number(text);
-    if (!number) refuse_word(columns, row.line, column, cell);
-    if (!std::isfinite(*number)) {
-        throw InputError({.where = at_line(columns, row.line),
-                          .problem = fmt::format("{} is {}", label(columns, column), in_quotes(cell)),
-                          .why = "only finite numbers can be used",
-                          .remedy = "delete the line or choose another column"});
-    }
-    return *number;
+    if (!parse_cell(cell, decimal_comma)) refuse_word(where, name, cell);
+    throw InputError({.where = where,
+                      .problem = fmt::format("{} is {}", name, in_quotes(cell)),
+                      .why = "only finite numbers can be used",
+                      .remedy = "delete the line or choose another column"});
 }
-
-}  // namespace
 
 std::vector<std::vector<double>> read_numbers(const Columns& columns, std::span<const std::size_t> wanted) {
     const bool decimal_comma = has_decimal_commas(columns, wanted);
     std::vector<std::vector<double>> numbers(wanted.size());
+    CellCutter cutter(columns.separator);
     for (const Row& row : columns.rows) {
+        const std::span<const std::string_view> cells = cutter.cut(row.text);
         for (std::size_t i = 0; i < wanted.size(); ++i) {
-            numbers[i].push_back(read_number(columns, row, wanted[i], decimal_comma));
+            const std::string_view cell = cells[wanted[i]];
+            const std::optional<double> number = parse_cell(cell, decimal_comma);
+            if (!number || !std::isfinite(*number)) {
+                refuse_cell(at_line(columns, row.line), label(columns, wanted[i]), cell, decimal_comma);
+            }
+            numbers[i].push_back(*number);
         }
     }
     return numbers;
+}
+
+NumberTable read_number_table(const Columns& columns, std::span<const std::size_t> wanted) {
+    const bool decimal_comma = has_decimal_commas(columns, wanted);
+    NumberTable table{.width = wanted.size(), .cells = {}, .holds_words = std::vector<bool>(wanted.size(), true)};
+    table.cells.reserve(wanted.size() * columns.rows.size());
+    std::vector<std::optional<Word>> first_word(wanted.size());
+    CellCutter cutter(columns.separator);
+    for (const Row& row : columns.rows) {
+        const std::span<const std::string_view> cells = cutter.cut(row.text);
+        for (std::size_t i = 0; i < wanted.size(); ++i) {
+            const std::string_view cell = cells[wanted[i]];
+            const std::optional<double> number = parse_cell(cell, decimal_comma);
+            const bool usable = number && std::isfinite(*number);
+            table.cells.push_back(usable ? *number : std::numeric_limits<double>::quiet_NaN());
+            if (usable) table.holds_words[i] = false;
+            if (!usable && !first_word[i] && !is_missing(cell)) first_word[i] = Word{.line = row.line, .cell = cell};
+        }
+    }
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        if (table.holds_words[i] || !first_word[i]) continue;
+        refuse_cell(at_line(columns, first_word[i]->line), label(columns, wanted[i]), first_word[i]->cell,
+                    decimal_comma);
+    }
+    return table;
 }
 
 }  // namespace skinfit

@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "core/input_error.hpp"
@@ -17,27 +19,34 @@ std::string_view name_of(const Columns& columns, std::size_t column) {
     return columns.names.empty() ? std::string_view{} : std::string_view(columns.names[column]);
 }
 
-std::vector<std::size_t> columns_called(const Columns& columns, std::string_view name) {
-    std::vector<std::size_t> found;
-    for (std::size_t c = 1; c < columns.width && !name.empty(); ++c) {
-        if (name_of(columns, c) == name) found.push_back(c);
+using ColumnsByName = std::unordered_map<std::string_view, std::vector<std::size_t>>;
+
+/// The columns of each name, without the wavelengths and those without a name.
+ColumnsByName columns_by_name(const Columns& columns) {
+    ColumnsByName by_name;
+    for (std::size_t c = 1; c < columns.names.size(); ++c) {
+        if (!columns.names[c].empty()) by_name[columns.names[c]].push_back(c);
     }
-    return found;
+    return by_name;
 }
 
-bool is_uncertainty(const Columns& columns, std::size_t column) {
+std::vector<std::size_t> called(const ColumnsByName& by_name, std::string_view name) {
+    const auto found = by_name.find(name);
+    return found == by_name.end() ? std::vector<std::size_t>{} : found->second;
+}
+
+bool is_uncertainty(const ColumnsByName& by_name, std::string_view name) {
     constexpr std::string_view suffix = "_sigma";
-    std::string_view name = name_of(columns, column);
     if (name == suffix.substr(1)) return true;
     if (!name.ends_with(suffix)) return false;
     name.remove_suffix(suffix.size());
-    return !columns_called(columns, name).empty();
+    return by_name.contains(name);
 }
 
-std::vector<std::size_t> value_columns(const Columns& columns) {
+std::vector<std::size_t> value_columns(const Columns& columns, const ColumnsByName& by_name) {
     std::vector<std::size_t> found;
     for (std::size_t c = 1; c < columns.width; ++c) {
-        if (!is_uncertainty(columns, c)) found.push_back(c);
+        if (!is_uncertainty(by_name, name_of(columns, c))) found.push_back(c);
     }
     return found;
 }
@@ -81,15 +90,15 @@ void refuse_spectra_in_rows(const Columns& columns) {
 }
 
 std::size_t find_column(const Columns& columns, const std::vector<std::size_t>& choices, const std::string& wanted) {
-    const std::vector<std::size_t> called = columns_called(columns, wanted);
-    if (called.size() > 1) {
+    const std::vector<std::size_t> called_so = called(columns_by_name(columns), wanted);
+    if (called_so.size() > 1) {
         throw InputError({.where = header_place(columns),
-                          .problem = fmt::format("{} columns are called {}", called.size(), in_quotes(wanted)),
-                          .why = fmt::format("numbers {}", fmt::join(called, ", ")),
+                          .problem = fmt::format("{} columns are called {}", called_so.size(), in_quotes(wanted)),
+                          .why = fmt::format("numbers {}", fmt::join(called_so, ", ")),
                           .remedy = "choose one by its number"});
     }
     const std::optional<std::uint64_t> number = parse_count(wanted);
-    const std::size_t column = called.empty() ? static_cast<std::size_t>(number.value_or(0)) : called.front();
+    const std::size_t column = called_so.empty() ? static_cast<std::size_t>(number.value_or(0)) : called_so.front();
     if (std::ranges::find(choices, column) != choices.end()) return column;
     if (column > 0 && column < columns.width) {
         throw InputError({.where = header_place(columns),
@@ -109,26 +118,19 @@ std::size_t find_column(const Columns& columns, const std::vector<std::size_t>& 
                       .remedy = "choose one of these by its name or by its number, counted without the wavelengths"});
 }
 
-}  // namespace
-
-ColumnChoice choose_column(const Columns& columns, const std::optional<std::string>& wanted) {
+std::vector<std::size_t> checked_value_columns(const Columns& columns, const ColumnsByName& by_name) {
     refuse_spectra_in_rows(columns);
-    const std::vector<std::size_t> choices = value_columns(columns);
-    if (choices.empty()) {
-        throw InputError({.where = header_place(columns),
-                          .problem = "has no column of values",
-                          .why = "all columns but the wavelengths are called sigma",
-                          .remedy = "add the values or rename their column"});
-    }
-    if (!wanted && choices.size() > 1) {
-        throw InputError({.where = header_place(columns),
-                          .problem = fmt::format("has {} columns of values", choices.size()),
-                          .why = list(columns, choices),
-                          .remedy = "choose one with --column, by its name or its number"});
-    }
-    const std::size_t value = wanted ? find_column(columns, choices, *wanted) : choices.front();
-    std::vector<std::size_t> sigma = columns_called(columns, fmt::format("{}_sigma", name_of(columns, value)));
-    if (sigma.empty()) sigma = columns_called(columns, "sigma");
+    std::vector<std::size_t> choices = value_columns(columns, by_name);
+    if (!choices.empty()) return choices;
+    throw InputError({.where = header_place(columns),
+                      .problem = "has no column of values",
+                      .why = "all columns but the wavelengths are called sigma",
+                      .remedy = "add the values or rename their column"});
+}
+
+ColumnChoice with_sigma(const Columns& columns, const ColumnsByName& by_name, std::size_t value, bool sole) {
+    std::vector<std::size_t> sigma = called(by_name, fmt::format("{}_sigma", name_of(columns, value)));
+    if (sigma.empty()) sigma = called(by_name, "sigma");
     if (sigma.size() > 1) {
         throw InputError({.where = header_place(columns),
                           .problem = fmt::format("{} columns are called {}", sigma.size(),
@@ -136,9 +138,30 @@ ColumnChoice choose_column(const Columns& columns, const std::optional<std::stri
                           .why = "the uncertainty of the values must be one of them",
                           .remedy = "give every column a name of its own"});
     }
-    return {.value = value,
-            .sigma = sigma.empty() ? std::nullopt : std::optional(sigma.front()),
-            .sole = choices.size() == 1};
+    return {.value = value, .sigma = sigma.empty() ? std::nullopt : std::optional(sigma.front()), .sole = sole};
+}
+
+}  // namespace
+
+ColumnChoice choose_column(const Columns& columns, const std::optional<std::string>& wanted) {
+    const ColumnsByName by_name = columns_by_name(columns);
+    const std::vector<std::size_t> choices = checked_value_columns(columns, by_name);
+    if (!wanted && choices.size() > 1) {
+        throw InputError({.where = header_place(columns),
+                          .problem = fmt::format("has {} columns of values", choices.size()),
+                          .why = list(columns, choices),
+                          .remedy = "choose one with --column, by its name or its number"});
+    }
+    const std::size_t value = wanted ? find_column(columns, choices, *wanted) : choices.front();
+    return with_sigma(columns, by_name, value, choices.size() == 1);
+}
+
+std::vector<ColumnChoice> all_columns(const Columns& columns) {
+    const ColumnsByName by_name = columns_by_name(columns);
+    const std::vector<std::size_t> choices = checked_value_columns(columns, by_name);
+    std::vector<ColumnChoice> all;
+    for (const std::size_t value : choices) all.push_back(with_sigma(columns, by_name, value, choices.size() == 1));
+    return all;
 }
 
 std::string label(const Columns& columns, std::size_t column) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "measurements/columns.hpp"
 
@@ -20,6 +21,9 @@ struct ColumnChoice {
 /// uncertainties, not values. Throws InputError when the choice is missing, unknown or ambiguous, and when the header
 /// is a row of wavelengths.
 [[nodiscard]] ColumnChoice choose_column(const Columns& columns, const std::optional<std::string>& wanted);
+
+/// Every column of values, with its uncertainty. Throws InputError as above.
+[[nodiscard]] std::vector<ColumnChoice> all_columns(const Columns& columns);
 
 /// The column's name, or `the wavelength` or `column <number>` where it has none; for messages.
 [[nodiscard]] std::string label(const Columns& columns, std::size_t column);

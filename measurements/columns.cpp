@@ -8,64 +8,19 @@
 
 #include "core/input_error.hpp"
 #include "core/text.hpp"
+#include "measurements/cells.hpp"
+#include "measurements/header.hpp"
+#include "measurements/limits.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
 namespace {
 
-void refuse_binary(std::string_view text, const std::string& source) {
-    const auto is_binary = [](char c) {
-        const auto byte = static_cast<unsigned char>(c);
-        return (byte < 0x20 || byte == 0x7f) && std::string_view("\t\n\v\f\r").find(c) == std::string_view::npos;
-    };
-    const auto found = std::ranges::find_if(text, is_binary);
-    if (found == text.end()) return;
-    const auto before = static_cast<std::size_t>(found - text.begin());
-    throw InputError({.where = fmt::format("{}:{}", source, split_lines(text.substr(0, before + 1)).size()),
-                      .problem = fmt::format("holds the control byte 0x{:02x}", static_cast<unsigned char>(*found)),
-                      .why = "plain text is needed; this is a binary, spreadsheet or UTF-16 file",
-                      .remedy = "export it as plain text or CSV in UTF-8"});
-}
-
-/// Where the first of `marks` outside double quotes is, or npos.
-std::size_t find_unquoted(std::string_view text, std::string_view marks) {
-    bool inside = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] == '"') inside = !inside;
-        if (!inside && marks.find(text[i]) != std::string_view::npos) return i;
-    }
-    return std::string_view::npos;
-}
-
-std::string_view without_quotes(std::string_view cell) {
-    if (cell.size() < 2 || cell.front() != '"' || cell.back() != '"') return cell;
-    return trimmed(cell.substr(1, cell.size() - 2));
-}
-
-std::vector<std::string_view> split_cells(std::string_view line, char separator) {
-    const bool blanks = separator == ' ';
-    const std::string_view marks = blanks ? std::string_view(" \t\v\f") : std::string_view(&separator, 1);
-    std::vector<std::string_view> cells;
-    for (std::string_view rest = blanks ? trimmed(line) : line;;) {
-        const std::size_t end = find_unquoted(rest, marks);
-        cells.push_back(without_quotes(trimmed(rest.substr(0, end))));
-        if (end == std::string_view::npos) return cells;
-        rest.remove_prefix(end + 1);
-        if (blanks) rest = trimmed(rest);
-    }
-}
-
-/// A line of the table, before it is taken apart.
-struct Line {
-    std::size_t number;
-    std::string_view text;
-};
-
-char find_separator(const std::vector<Line>& lines) {
+char find_separator(const std::vector<Row>& rows) {
     constexpr std::array candidates{'\t', ';', ','};
     std::array<std::size_t, candidates.size()> occurrences{};
-    for (const Line& line : lines) {
-        const std::string_view text = trimmed(line.text);
+    for (const Row& row : rows) {
+        const std::string_view text = trimmed(row.text);
         if (!starts_like_a_number(text.substr(text.starts_with('"') ? 1 : 0))) continue;
         for (std::size_t i = 0; i < candidates.size(); ++i) {
             if (text.find(candidates[i]) != std::string_view::npos) ++occurrences[i];
@@ -75,45 +30,96 @@ char find_separator(const std::vector<Line>& lines) {
     return *most == 0 ? ' ' : candidates[static_cast<std::size_t>(most - occurrences.begin())];
 }
 
-bool is_header(const Row& row) {
-    const auto is_word = [](std::string_view cell) { return !is_missing(cell) && !starts_like_a_number(cell); };
-    return row.cells.front().empty() ? std::ranges::any_of(row.cells, is_word) : is_word(row.cells.front());
+[[noreturn]] void refuse_word(const Columns& columns, std::size_t line, std::string_view word) {
+    throw InputError({.where = at_line(columns, line),
+                      .problem = fmt::format("starts with the word {}", in_quotes(word)),
+                      .why = "below comments and one header line, every line is a wavelength and its values",
+                      .remedy = "delete such lines or put # in front of them"});
 }
 
-/// Cells up to the last that holds text.
-std::size_t filled_width(const Row& row) {
-    const auto last =
-        std::find_if(row.cells.rbegin(), row.cells.rend(), [](std::string_view cell) { return !cell.empty(); });
-    return static_cast<std::size_t>(row.cells.rend() - last);
+[[noreturn]] void refuse_width(const Columns& columns, std::size_t line, std::size_t found, std::size_t first_line,
+                               std::size_t width) {
+    throw InputError({.where = at_line(columns, line),
+                      .problem = fmt::format("has {} field{}", found, found == 1 ? "" : "s"),
+                      .why = fmt::format("line {} has {}", first_line, width),
+                      .remedy = "give every line one field per column, put names with separators in double quotes and "
+                                "# before a title, and write decimal points, not commas"});
 }
 
-/// The columns that the first line has and some line fills: separators at the end of every line add none.
-std::size_t table_width(const std::vector<Row>& rows) {
-    const auto widest = std::ranges::max_element(rows, {}, filled_width);
-    return std::min(rows.front().cells.size(), filled_width(*widest));
+void check_length(std::string_view line, std::size_t number, const std::string& source) {
+    if (line.size() <= longest_line_bytes) return;
+    throw InputError({.where = fmt::format("{}:{}", source, number),
+                      .problem = fmt::format("has {} MiB in one line", line.size() >> 20U),
+                      .why = fmt::format("at most {} are read", longest_line_bytes >> 20U),
+                      .remedy = "check that this is a file of spectra"});
 }
 
-void refuse_words(const Columns& columns) {
-    for (const Row& row : columns.rows) {
-        const std::string_view first = row.cells.front();
-        if (is_missing(first) || starts_like_a_number(first)) continue;
-        throw InputError({.where = at_line(columns, row.line),
-                          .problem = fmt::format("starts with the word {}", in_quotes(first)),
-                          .why = "below comments and one header line, every line is a wavelength and its values",
-                          .remedy = "delete such lines or put # in front of them"});
+void check_column_count(const Columns& columns) {
+    if (columns.width <= most_columns) return;
+    throw InputError({.where = at_line(columns, columns.rows.front().line),
+                      .problem = fmt::format("has {} columns", columns.width),
+                      .why = fmt::format("at most {} are read", most_columns),
+                      .remedy = "split the file, or check that it is one of spectra"});
+}
+
+/// What the rows look like once they are cut.
+struct Shape {
+    std::size_t first_width = 0;  ///< cells of the first row
+    std::size_t widest = 0;       ///< filled cells of the widest row
+    bool same_width = true;       ///< all rows have as many cells as the first
+    bool has_points = false;
+    std::optional<Row> word;                 ///< the first row that starts with a word
+    std::optional<std::size_t> two_numbers;  ///< the first line with a cell such as `5 0.12`
+};
+
+/// True for what decimal commas leave behind when lines of blanks are split at commas.
+bool is_two_numbers(std::string_view cell) {
+    const std::size_t blank = cell.find_first_of(" \t");
+    return blank != std::string_view::npos && parse_number(cell.substr(0, blank)) &&
+           parse_number(trimmed(cell.substr(blank)));
+}
+
+Shape shape_of(std::span<const Row> rows, char separator) {
+    Shape shape;
+    CellCutter cutter(separator);
+    for (const Row& row : rows) {
+        const std::span<const std::string_view> cells = cutter.cut(row.text);
+        if (shape.first_width == 0) shape.first_width = cells.size();
+        shape.same_width = shape.same_width && cells.size() == shape.first_width;
+        shape.widest = std::max(shape.widest, filled_width(cells));
+        if (!shape.word && !is_missing(cells.front()) && !starts_like_a_number(cells.front())) shape.word = row;
+        if (separator != ',') continue;
+        shape.has_points = shape.has_points || row.text.find('.') != std::string_view::npos;
+        const bool has_blanks = row.text.find_first_of(" \t") != std::string_view::npos;
+        if (!shape.two_numbers && has_blanks && std::ranges::any_of(cells, is_two_numbers)) {
+            shape.two_numbers = row.line;
+        }
     }
+    return shape;
 }
 
-void refuse_other_widths(const Columns& columns, std::size_t first_line) {
-    for (const Row& row : columns.rows) {
-        const std::size_t found = row.cells.size() < columns.width ? row.cells.size() : filled_width(row);
-        if (row.cells.size() >= columns.width && found <= columns.width) continue;
-        throw InputError({.where = at_line(columns, row.line),
-                          .problem = fmt::format("has {} field{}", found, found == 1 ? "" : "s"),
-                          .why = fmt::format("line {} has {}", first_line, columns.width),
-                          .remedy =
-                              "give every line one field per column, put names with separators in double quotes and "
-                              "# before a title, and write decimal points, not commas"});
+/// Lines split at commas that may have been decimal: `400,5 0,12`, and `400,0,12` where no header counts the columns.
+void refuse_decimal_commas(const Columns& columns, const Shape& shape) {
+    if (columns.separator != ',') return;
+    const bool uncounted = columns.names.empty() && columns.width > 2 && !shape.has_points;
+    if (!uncounted && !shape.two_numbers) return;
+    throw InputError({.where = at_line(columns, uncounted ? columns.rows.front().line : *shape.two_numbers),
+                      .problem = "its commas may be decimal marks or separators",
+                      .why = "decimal commas are understood between tabs or semicolons only",
+                      .remedy = "write decimal points, or name the columns in a header line if the commas separate"});
+}
+
+/// Throws InputError for the first row that has not as many cells as the first line, whether header or row.
+void refuse_other_widths(const Columns& columns, const Shape& shape) {
+    const std::size_t first_line = columns.header_line > 0 ? columns.header_line : columns.rows.front().line;
+    if (!shape.same_width || shape.first_width < columns.width || shape.widest > columns.width) {
+        CellCutter cutter(columns.separator);
+        for (const Row& row : columns.rows) {
+            const std::span<const std::string_view> cells = cutter.cut(row.text);
+            const std::size_t found = cells.size() < columns.width ? cells.size() : filled_width(cells);
+            if (cells.size() >= columns.width && found <= columns.width) continue;
+            refuse_width(columns, row.line, found, first_line, columns.width);
+        }
     }
     if (columns.width < 2) {
         throw InputError({.where = at_line(columns, first_line),
@@ -123,81 +129,104 @@ void refuse_other_widths(const Columns& columns, std::size_t first_line) {
     }
 }
 
-/// True for what decimal commas leave behind when lines of blanks are split at commas.
-bool is_two_numbers(std::string_view cell) {
-    const std::size_t blank = cell.find_first_of(" \t");
-    return blank != std::string_view::npos && parse_number(cell.substr(0, blank)) &&
-           parse_number(trimmed(cell.substr(blank)));
+/// A line right above the numbers that speaks of wavelengths names columns; other prose need not.
+bool is_meant_as_header(std::string_view line) {
+    const std::string text = lower_case(line);
+    return text.find("wave") != std::string::npos || text.find("nm") != std::string::npos;
 }
 
-/// Lines split at commas that may have been decimal: `400,5 0,12`, and `400,0,12` where no header counts the columns.
-void refuse_decimal_commas(const Columns& columns) {
-    if (columns.separator != ',') return;
-    const auto some_cell = [&columns](auto&& holds) {
-        return std::ranges::find_if(columns.rows,
-                                    [&](const Row& row) { return std::ranges::any_of(row.cells, holds); });
-    };
-    const auto has_point = [](std::string_view cell) { return cell.find('.') != std::string_view::npos; };
-    auto suspect = some_cell(is_two_numbers);
-    if (columns.names.empty() && columns.width > 2 && some_cell(has_point) == columns.rows.end()) {
-        suspect = columns.rows.begin();
+/// Throws InputError where a slip in the first row, as in `O400,0.5`, makes a second header of it.
+void refuse_slip_in_first_row(const Columns& columns, std::span<const Row> words, std::size_t width) {
+    if (words.size() < 2) return;
+    CellCutter cutter(columns.separator);
+    const std::span<const std::string_view> cells = cutter.cut(words.back().text);
+    const bool has_numbers =
+        std::ranges::any_of(cells.subspan(1), [](std::string_view cell) { return parse_number(cell).has_value(); });
+    if (!has_numbers || find_header(words.first(words.size() - 1), width, columns.separator).lines == 0) return;
+    refuse_word(columns, words.back().line, cells.front());
+}
+
+/// Names the columns by the last of the lines above the numbers; those above it are the preamble.
+void take_words(Columns& columns, std::span<const Row> words, const Shape& shape) {
+    columns.width = std::min(shape.first_width, shape.widest);
+    if (words.empty()) return;
+    CellCutter cutter(columns.separator);
+    const std::span<const std::string_view> last = cutter.cut(words.back().text);
+    const std::size_t named_width = std::min(last.size(), std::max(filled_width(last), shape.widest));
+    if (named_width <= shape.first_width && named_width >= shape.widest) columns.width = named_width;
+    refuse_slip_in_first_row(columns, words, columns.width);
+    Header header = find_header(words, columns.width, columns.separator);
+    if (header.lines == 0 && is_meant_as_header(words.back().text)) {
+        header = {.lines = 1, .names = {last.begin(), last.begin() + static_cast<std::ptrdiff_t>(named_width)}};
+        columns.width = named_width;
     }
-    if (suspect == columns.rows.end()) return;
-    throw InputError({.where = at_line(columns, suspect->line),
-                      .problem = "its commas may be decimal marks or separators",
-                      .why = "decimal commas are understood between tabs or semicolons only",
-                      .remedy = "write decimal points, or name the columns in a header line if the commas separate"});
+    columns.names = std::move(header.names);
+    if (header.lines > 0) columns.header_line = words[words.size() - header.lines].line;
+    for (const Row& row : words.first(words.size() - header.lines)) {
+        columns.preamble.push_back({.line = row.line, .text = trimmed(row.text)});
+    }
 }
 
-std::string name_of(std::string_view cell) {
-    std::string name(cell);
-    for (std::size_t i = name.find("\"\""); i != std::string::npos; i = name.find("\"\"", i + 1)) name.erase(i, 1);
-    return name;
+/// Drops lines of nothing but separators.
+void drop_empty(std::vector<Row>& rows, char separator) {
+    CellCutter cutter(separator);
+    std::erase_if(rows, [&](const Row& row) {
+        const char first = trimmed(row.text).front();
+        return (first == separator || first == '"') && filled_width(cutter.cut(row.text)) == 0;
+    });
 }
 
 }  // namespace
 
-Columns split_columns(std::string_view text, const std::string& source) {
+Lines split_comments(std::string_view text, const std::string& source) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     refuse_binary(text, source);
-
-    Columns columns;
-    columns.source = source;
-    std::vector<Line> lines;
+    Lines lines;
     std::size_t number = 0;
-    for (const std::string_view line : split_lines(text)) {
+    LineReader reader(text);
+    while (const auto line = reader.next()) {
         ++number;
-        const std::string_view content = line.substr(0, find_unquoted(line, "#"));
+        check_length(*line, number, source);
+        std::size_t size = line->find('#');
+        if (size != std::string_view::npos) size = find_unquoted(*line, "#");
+        const std::string_view content = line->substr(0, size);
         if (!trimmed(content).empty()) {
-            lines.push_back({.number = number, .text = content});
-        } else if (content.size() < line.size()) {
-            columns.comments.push_back({.line = number, .text = trimmed(line.substr(content.size() + 1))});
+            lines.rows.push_back({.line = number, .text = content});
+        } else if (content.size() < line->size()) {
+            lines.comments.push_back({.line = number, .text = trimmed(line->substr(content.size() + 1))});
         }
     }
+    return lines;
+}
 
-    columns.separator = find_separator(lines);
-    for (const Line& line : lines) {
-        Row row{.line = line.number, .cells = split_cells(line.text, columns.separator)};
-        if (filled_width(row) > 0) columns.rows.push_back(std::move(row));
-    }
-    const bool headed = !columns.rows.empty() && is_header(columns.rows.front());
-    if (columns.rows.size() == (headed ? 1 : 0)) {
+Columns split_columns(std::string_view text, const std::string& source) {
+    auto [comments, rows] = split_comments(text, source);
+    const bool is_empty = comments.empty() && rows.empty();
+    Columns columns;
+    columns.source = source;
+    columns.comments = std::move(comments);
+    columns.separator = find_separator(rows);
+    drop_empty(rows, columns.separator);
+    CellCutter cutter(columns.separator);
+    const auto first_number =
+        std::ranges::find_if(rows, [&](const Row& row) { return !is_line_of_words(cutter.cut(row.text)); });
+    const std::vector<Row> words(rows.begin(), first_number);
+    rows.erase(rows.begin(), first_number);
+    columns.rows = std::move(rows);
+    if (columns.rows.empty()) {
+        if (words.size() > 1) refuse_word(columns, words[1].line, cutter.cut(words[1].text).front());
         throw InputError({.where = source,
-                          .problem = trimmed(text).empty() ? "is empty" : "holds no numbers",
+                          .problem = is_empty ? "is empty" : "holds no numbers",
                           .why = "lines of a wavelength and its values are needed",
                           .remedy = "check that the file is complete"});
     }
-    columns.width = table_width(columns.rows);
-    const std::size_t first_line = columns.rows.front().line;
-    if (headed) {
-        columns.header_line = first_line;
-        for (std::size_t c = 0; c < columns.width; ++c) columns.names.push_back(name_of(columns.rows.front().cells[c]));
-        columns.rows.erase(columns.rows.begin());
-    }
-    refuse_words(columns);
-    refuse_decimal_commas(columns);
-    refuse_other_widths(columns, first_line);
+    const Shape shape = shape_of(columns.rows, columns.separator);
+    if (shape.word) refuse_word(columns, shape.word->line, cutter.cut(shape.word->text).front());
+    take_words(columns, words, shape);
+    refuse_decimal_commas(columns, shape);
+    refuse_other_widths(columns, shape);
+    check_column_count(columns);
     return columns;
 }
 

@@ -7,37 +7,48 @@
 
 namespace skinfit {
 
-/// A comment that has a line to itself.
+/// Prose that has a line to itself.
 struct Comment {
     std::size_t line;       ///< counted from 1
-    std::string_view text;  ///< after the `#`, trimmed
+    std::string_view text;  ///< trimmed, without the `#`
 };
 
-/// One line of a table.
+/// One line of a table, not taken apart; `CellCutter` does that.
 struct Row {
-    std::size_t line;                     ///< counted from 1
-    std::vector<std::string_view> cells;  ///< trimmed, without quotes; at least `Columns::width` of them
+    std::size_t line;       ///< counted from 1
+    std::string_view text;  ///< without a comment at its end
 };
 
-/// Text taken apart into cells; which of them are numbers is not decided here. Views point into the text.
+/// Text taken apart into lines of cells; which of them are numbers is not decided here. Views point into the text.
 struct Columns {
     std::string source;  ///< names the text in messages
     std::vector<Comment> comments;
+    std::vector<Comment> preamble;   ///< the lines of words above the header
     char separator = ' ';            ///< `\t`, `;`, `,`, or a blank for any run of blanks
     std::size_t width = 0;           ///< columns, at least 2; the first holds the wavelengths
     std::size_t header_line = 0;     ///< counted from 1; 0 without a header
     std::vector<std::string> names;  ///< one per column, some perhaps empty; none without a header
-    std::vector<Row> rows;           ///< at least 1
+    std::vector<Row> rows;           ///< at least 1, each of at least `width` cells
 };
+
+/// The lines of a text.
+struct Lines {
+    std::vector<Comment> comments;
+    std::vector<Row> rows;  ///< all others that hold anything
+};
+
+/// Tells comments from other lines. Throws InputError for binary text.
+[[nodiscard]] Lines split_comments(std::string_view text, const std::string& source);
 
 /// Takes `text` apart.
 ///
 /// Separator: whichever of tab, semicolon and comma occurs in most of the lines that start like a number; in doubt the
 /// first of these, and blanks where none occurs. Separators and `#` inside double quotes are text.
 ///
-/// Header: the first line that is not a comment, if it starts with a word. A line that starts like a number, as `4OO`
-/// does, is data, so that a slip in the first row is found rather than taken for a name. Lines without any text between
-/// separators count as empty, and cells that are empty in every line of the table's right end are dropped.
+/// Header: the last line above the numbers, if it starts with a word and names every column; `find_header` states the
+/// dialects. Lines of words above it are the preamble. A line that starts like a number, as `4OO` does, is data, so
+/// that a slip in the first row is found rather than taken for a name. Lines without any text between separators count
+/// as empty, and cells that are empty in every line of the table's right end are dropped.
 ///
 /// Throws InputError for text that is empty, binary or without data, for a word where a row should start, for rows that
 /// differ in length, and for lines split at commas that look like decimal commas.

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/geometry.hpp"
@@ -23,17 +25,34 @@ struct FileNote {
     std::string value;
 };
 
-/// A measured spectrum. The three vectors go together: entry i of each belongs to one wavelength.
+/// How an instrument weights the wavelengths about the one it reports.
+enum class BandpassShape { triangular, gaussian, rectangular };
+inline constexpr std::array<std::string_view, 3> bandpass_shape_names = {"triangular", "gaussian", "rectangular"};
+
+struct Bandpass {
+    BandpassShape shape = BandpassShape::triangular;
+    double width_nm = 0.0;  ///< full width at half maximum, above 0
+};
+
+/// A measured spectrum. Wavelengths, values and uncertainties go together: entry i of each belongs to one wavelength.
 struct Spectrum {
     std::string name;                   ///< of the specimen: as its file says, else the column chosen, else the file
     std::string source;                 ///< the file it came from
     std::vector<double> wavelength_nm;  ///< at least one, in [100, 10000], ascends strictly
-    std::vector<double> value;          ///< fractions in [0, 1.5], one per wavelength
-    std::vector<double> sigma;          ///< standard uncertainty of `value`, above 0; empty where not given
+    std::vector<double> value;          ///< finite fractions, one per wavelength; `read_spectrum` checks their range
+    std::vector<double> sigma;          ///< standard uncertainty of `value`, as given; empty where not given
     std::optional<Quantity> quantity;   ///< where the file says so
     Geometry geometry;
-    std::string unit_rule;          ///< how the unit of the values was found, in words
-    std::vector<FileNote> notes{};  ///< in the order of the file
+    std::string unit_rule;                       ///< how the unit of the values was found, in words
+    std::vector<FileNote> notes{};               ///< in the order of the file
+    std::string sigma_source{};                  ///< where `sigma` comes from, in words; empty where there is none
+    std::vector<std::vector<double>> repeats{};  ///< readings of this specimen at these wavelengths, where known
+    std::string instrument{};                    ///< as its file names it
+    std::string site{};                          ///< of the body, as its file names it
+    std::optional<double> aperture_mm{};         ///< diameter, above 0
+    std::optional<Bandpass> bandpass{};
+    std::size_t missing = 0;  ///< wavelengths of the file without a value; they are left out above
+    std::size_t line = 0;     ///< where it stands in its file: its own line or the header, from 1; 0 where neither is
 };
 
 }  // namespace skinfit

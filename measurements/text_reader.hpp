@@ -32,10 +32,11 @@ struct ReadOptions {
 /// where a number is needed or a number that is not finite, repeats a wavelength, has several columns and none chosen,
 /// wavelengths outside [100, 10000] nm, values outside [0, 1.5] once they are fractions, or uncertainties that are not
 /// above 0.
-[[nodiscard]] Spectrum read_spectrum(const std::filesystem::path& path, const ReadOptions& options = {});
+[[nodiscard]] Spectrum read_spectrum(const std::filesystem::path& path, const ReadOptions& options = {},
+                                     const std::optional<std::string>& reader = {});
 
 /// The same for text already read; `source` names it in messages.
-[[nodiscard]] Spectrum parse_spectrum(std::string_view text, const std::string& source,
-                                      const ReadOptions& options = {});
+[[nodiscard]] Spectrum parse_spectrum(std::string_view text, const std::string& source, const ReadOptions& options = {},
+                                      const std::optional<std::string>& reader = {});
 
 }  // namespace skinfit

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,6 +10,7 @@ namespace skinfit {
 
 /// The unit of the values in a file.
 enum class Unit { fraction, percent };
+inline constexpr std::array<std::string_view, 2> unit_names = {"fraction", "percent"};
 
 /// The largest value that can be a fraction: white standards and glossy samples exceed 1 by less than this.
 inline constexpr double largest_fraction = 1.5;

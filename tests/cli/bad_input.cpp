@@ -53,7 +53,7 @@ TEST_F(BadInput, Files) {
                                         7),
                             "bad.csv:1: ");
     expect_spectrum_refused("400,0.2\n450,abc\n500,0.3\n", "bad.csv:2: holds 'abc'");
-    expect_spectrum_refused("400,0.2\n450,nan\n500,0.3\n", "bad.csv:2: ");
+    expect_spectrum_refused("400,0.2\n450,inf\n500,0.3\n", "bad.csv:2: ");
     expect_spectrum_refused("400,0.2\n450,-0.1\n500,0.3\n", "bad.csv:2: the value -0.1 at 450 nm is negative");
     expect_spectrum_refused("400,20\n450,170\n500,30\n", "1.7 at 450 nm exceeds 1.5");
     expect_spectrum_refused("400,0.2\n450,0.3\n", "2 wavelengths in the window of the fit for 5 free parameters");
@@ -151,7 +151,7 @@ TEST_F(BadInput, Outputs) {
 }
 
 TEST_F(BadInput, CommandLines) {
-    expect_refused({}, "give one of fit, simulate, sensitivity, design, gonio, validate, bench, config");
+    expect_refused({}, "give one of fit, simulate, sensitivity, design, gonio, validate, bench, convert, config");
     expect_refused({"fitt"}, "did you mean `skinfit fit`?");
     expect_refused({"--sed", "1"}, "unknown option --sed");
     expect_refused({"config"}, "give one of show, schema, check");

@@ -113,5 +113,28 @@ TEST_F(FileTest, ReadRefusalsNameThePathAndTheReason) {
     for (const std::string& message : {missing, folder}) EXPECT_EQ(message.find('\n'), std::string::npos);
 }
 
+TEST_F(FileTest, ReadsOrdinaryFilesOnly) {
+    ASSERT_EQ(::mkfifo(in_folder("pipe").c_str(), 0600), 0);
+    EXPECT_EQ(refusal([&] { (void)read_file(in_folder("pipe")); }),
+              in_folder("pipe").string() +
+                  ": is a pipe or a device (an ordinary file is needed here); write its content to a file first");
+    EXPECT_NE(refusal([&] { (void)read_file("/dev/zero"); }).find("is a pipe or a device"), std::string::npos);
+    std::filesystem::create_symlink("loop", in_folder("loop"));
+    EXPECT_NE(refusal([&] { (void)read_file(in_folder("loop")); }).find("(Too many levels of symbolic links)"),
+              std::string::npos);
+}
+
+TEST_F(FileTest, RefusesFilesAboveItsLimitWithoutReadingThem) {
+    write_file_atomically(in_folder("large"), "");
+    std::filesystem::resize_file(in_folder("large"), largest_file_bytes + 1);  // a hole: no disk is used
+    EXPECT_EQ(refusal([&] { (void)read_file(in_folder("large")); }),
+              in_folder("large").string() + ": is too large (at most 2 GiB are read at once); split it");
+}
+
+TEST_F(FileTest, ReadsFilesThatDoNotKnowTheirSize) {
+    if (!std::filesystem::exists("/proc/self/status")) GTEST_SKIP() << "/proc is absent";
+    EXPECT_TRUE(read_file("/proc/self/status").starts_with("Name:"));
+}
+
 }  // namespace
 }  // namespace skinfit

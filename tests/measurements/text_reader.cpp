@@ -71,6 +71,15 @@ TEST(TextReader, SortsValuesAndUncertaintiesWithTheirWavelengths) {
     EXPECT_EQ(spectrum.sigma, (Numbers{0.04, 0.05, 0.06}));
 }
 
+TEST(TextReader, LeavesOutAndCountsMissingValues) {
+    const Spectrum spectrum =
+        parse_spectrum("nm,R,sigma\n400,0.4,0.04\n410,,\n420,NaN,0.1\n430,n/a,\n440,0.5,0.05\n", "a");
+    EXPECT_EQ(spectrum.wavelength_nm, (Numbers{400, 440}));
+    EXPECT_EQ(spectrum.value, (Numbers{0.4, 0.5}));
+    EXPECT_EQ(spectrum.sigma, (Numbers{0.04, 0.05}));
+    EXPECT_EQ(spectrum.missing, 3U);
+}
+
 TEST(TextReader, TurnsPercentIntoFractions) {
     const Spectrum percent = parse_spectrum("nm,R,R_sigma\n400,57.23,0.31\n", "a");
     const Spectrum fraction = parse_spectrum("nm,R,R_sigma\n400,0.5723,0.0031\n", "a");

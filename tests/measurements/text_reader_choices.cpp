@@ -105,7 +105,12 @@ TEST(ColumnChoice, RefusesAmbiguousNamesAndUncertainties) {
 }
 
 TEST(ColumnChoice, RefusesSpectraInRows) {
-    EXPECT_NE(refusal("id,400,410,420\n7,0.1,0.2,0.3\n", "400").find("one spectrum per line"), std::string::npos);
+    try {
+        (void)parse_spectrum("id,400,410,420\n7,0.1,0.2,0.3\n", "a.csv", {.column = "400"}, "columns");
+        ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("one spectrum per line"), std::string::npos) << error.what();
+    }
     EXPECT_EQ(chosen("nm,400,410,420\n450,0.1,0.2,0.3\n", "410").value, Numbers{0.2}) << "numbers may be names";
 }
 

@@ -46,7 +46,7 @@ TEST(TextReaderRefuses, BinaryText) {
 }
 
 TEST(TextReaderRefuses, LinesThatAreNeitherCommentNorHeaderNorNumbers) {
-    expect_refusal({"Instrument X\nnm,R\n400,0.5\n", "a.csv:2", "starts with the word 'nm'"});
+    expect_refusal({"Title\nnm,R\nO400,0.5\n410,0.5\n", "a.csv:3", "starts with the word 'O400'"});
     expect_refusal({"nm,R\n400,0.5\nend,0\n", "a.csv:3", "starts with the word 'end'"});
     expect_refusal({"nm,R\n\n4OO,0.5\n", "a.csv:3", "'4OO' as nm"});
     expect_refusal({"4OO,0.5\n500,0.5\n", "a.csv:1", "'4OO' as the wavelength"});
@@ -55,7 +55,7 @@ TEST(TextReaderRefuses, LinesThatAreNeitherCommentNorHeaderNorNumbers) {
 }
 
 TEST(TextReaderRefuses, MissingAndInfiniteNumbers) {
-    expect_refusal({"nm,R\n400,0.5\n410,\n", "a.csv:3", "R is empty"});
+    expect_refusal({"nm,R\n400,\n410,\n", "a.csv:2", "R is empty"});
     expect_refusal({"nm,R\n400,NaN\n", "a.csv:2", "R is 'NaN'"});
     expect_refusal({"nm,R\n400,-nan\n", "a.csv:2", "R is '-nan'"});
     expect_refusal({"nm,R\n400,inf\n", "a.csv:2", "R is 'inf'"});
@@ -70,7 +70,7 @@ TEST(TextReaderRefuses, LinesOfOtherLengths) {
     expect_refusal({"nm,R\n400,0.5,0.6\n", "a.csv:2", "has 3 fields (line 1 has 2)"});
     expect_refusal({"400 0.5\n410 0.5 0.6\n", "a.csv:2", "has 3 fields (line 1 has 2)"});
     expect_refusal({"nm,R,T\n400,0.5\n", "a.csv:2", "has 2 fields (line 1 has 3)"});
-    expect_refusal({"Title\n400,0.5\n", "a.csv:2", "has 2 fields (line 1 has 1)"});
+    expect_refusal({"Wavelength\n400,0.5\n", "a.csv:2", "has 2 fields (line 1 has 1)"});
     expect_refusal({"400\n410\n", "a.csv:1", "has one column"});
 }
 

@@ -1,0 +1,71 @@
+#include "app/commands.hpp"
+#include "app/shared_options.hpp"
+#include "core/input_error.hpp"
+#include "fit/settings.hpp"
+#include "measurements/spectrum_file.hpp"
+#include "measurements/spectrum_writer.hpp"
+
+namespace skinfit {
+namespace {
+
+struct ConvertCommand {
+    std::string file;
+    std::vector<std::string> columns;
+    std::string reader;
+    std::string unit;
+    std::string format;
+    std::filesystem::path out;
+};
+
+std::string format_of(const ConvertCommand& command) {
+    if (!command.format.empty()) return command.format;
+    return command.out.extension() == ".json" ? "json" : "csv";
+}
+
+/// The spectra chosen, or all of them.
+std::vector<Spectrum> spectra_of(const ConvertCommand& command) {
+    const auto reader = command.reader.empty() ? std::nullopt : std::optional(command.reader);
+    ReadOptions options;
+    if (!command.unit.empty()) options.unit = command.unit == "percent" ? Unit::percent : Unit::fraction;
+    if (command.columns.empty()) return read_spectra(command.file, options, reader).spectra;
+    std::vector<Spectrum> chosen;
+    for (const std::string& column : command.columns) {
+        options.column = column;
+        chosen.push_back(read_spectra(command.file, options, reader).spectra.front());
+    }
+    return chosen;
+}
+
+int run(const ConvertCommand& command) {
+    SharedOptions shared;
+    shared.out = command.out;
+    check_output(shared, {command.file});
+    const std::vector<Spectrum> spectra = spectra_of(command);
+    write_output(shared, format_of(command) == "json" ? spectra_json(spectra) : spectra_csv(spectra, command.file));
+    return trustworthy_result;
+}
+
+}  // namespace
+
+void add_convert_command(CLI::App& app, int& exit_code) {
+    const auto command = std::make_shared<ConvertCommand>();
+    CLI::App* const convert = app.add_subcommand("convert", "write the spectra of a file as CSV or JSON of one form");
+    convert->add_option("FILE", command->file, "spectra in any form that `skinfit fit` reads")->required();
+    convert->add_option("--out", command->out, "write there instead of to the terminal")->type_name("FILE");
+    convert->add_option("--format", command->format, "form of the output; by default that of --out's ending, else csv")
+        ->check(CLI::IsMember({"csv", "json"}));
+    convert->add_option("--column", command->columns, "only this spectrum: its name, or its number from 1")
+        ->type_name("NAME")
+        ->expected(1)
+        ->take_all();
+    convert->add_option("--unit", command->unit, "of the values: fraction or percent; found by a rule otherwise")
+        ->check(CLI::IsMember({"fraction", "percent"}));
+    add_reader_option(*convert, command->reader);
+    convert->footer(
+        "Numbers are written so that they read back to the last bit. CSV holds spectra of the same wavelengths and "
+        "the\n"
+        "same description, without their repeats; JSON holds all.");
+    convert->callback([command, &exit_code] { exit_code = run(*command); });
+}
+
+}  // namespace skinfit

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+namespace skinfit {
+
+using Json = nlohmann::ordered_json;
+
+/// `json` as it stands in messages: on one line, cut where it is long; bytes that are not UTF-8 are replaced.
+[[nodiscard]] std::string shown(const Json& json);
+
+/// The JSON in `text`, comments allowed; `example`, a clause, says where a good one is to be seen. Throws InputError
+/// naming `where` for text that is no JSON, gives a name twice, nests more than 64 deep, or has more than 1000 names in
+/// one object.
+[[nodiscard]] Json parsed_json(std::string_view text, const std::string& where, const std::string& example);
+
+}  // namespace skinfit

@@ -1,0 +1,171 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <optional>
+#include <span>
+
+#include "core/input_error.hpp"
+#include "core/text.hpp"
+#include "measurements/cell_numbers.hpp"
+#include "measurements/cells.hpp"
+#include "measurements/columns.hpp"
+#include "measurements/description.hpp"
+#include "measurements/readers.hpp"
+#include "measurements/spectrum_building.hpp"
+#include "measurements/words.hpp"
+
+namespace skinfit {
+namespace {
+
+/// `,Subject 1,,,,Subject 3,...`
+bool names_subjects(std::string_view line) {
+    CellCutter cutter(',');
+    const std::span<const std::string_view> cells = cutter.cut(line);
+    return cells.size() > 1 && cells[0].empty() && lower_case(cells[1]).starts_with("subject ");
+}
+
+/// The columns of one subject.
+struct Subject {
+    std::string name;
+    std::vector<std::size_t> repeats;
+    std::vector<std::size_t> means;
+};
+
+/// What the two lines of the header say: the subject of a column is the last one named at or before it.
+std::vector<Subject> subjects_in(const Columns& columns) {
+    CellCutter cutter(',');
+    const std::span<const std::string_view> titles = cutter.cut(columns.preamble.back().text);
+    std::vector<Subject> subjects;
+    for (std::size_t c = 1; c < columns.width; ++c) {
+        if (c < titles.size() && !titles[c].empty()) {
+            subjects.push_back({.name = lower_case(titles[c]), .repeats = {}, .means = {}});
+        }
+        if (subjects.empty()) continue;
+        const std::string label = lower_case(columns.names[c]);
+        (label.starts_with("average") || label.starts_with("mean") ? subjects.back().means : subjects.back().repeats)
+            .push_back(c);
+    }
+    return subjects;
+}
+
+/// The standard uncertainty of the mean of readings with `decimals_step` between neighbouring numbers: the readings'
+/// own scatter, and the rounding of the mean, without which equal readings would be taken for perfect ones.
+double sigma_of_mean(std::span<const double> readings, double decimals_step) {
+    const auto n = static_cast<double>(readings.size());
+    const double mean = std::accumulate(readings.begin(), readings.end(), 0.0) / n;
+    double squares = 0.0;
+    for (const double reading : readings) squares += (reading - mean) * (reading - mean);
+    return std::sqrt(squares / (n - 1) / n + decimals_step * decimals_step / 12);
+}
+
+class Table {
+public:
+    Table(const Columns& columns, const NumberTable& numbers) : columns_(columns), numbers_(numbers) {
+        const std::vector<double> nm = column(0);
+        grid_ = make_grid(nm, [&columns](std::size_t i) {
+            const std::size_t line = columns.rows[i].line;
+            return GridPlace{.where = at_line(columns, line), .which = fmt::format("line {}", line)};
+        });
+    }
+
+    [[nodiscard]] std::vector<double> column(std::size_t c) const {
+        std::vector<double> values;
+        for (std::size_t at = c; at < numbers_.cells.size(); at += numbers_.width) values.push_back(numbers_.cells[at]);
+        return values;
+    }
+
+    [[nodiscard]] Spectrum spectrum(std::size_t c, const UnitStatements& statements) const {
+        Spectrum spectrum;
+        spectrum.source = columns_.source;
+        spectrum.line = columns_.header_line;
+        spectrum.notes = notes_in(columns_.preamble);
+        take_readings(spectrum, grid_, {.value = column(c)}, statements);
+        return spectrum;
+    }
+
+private:
+    const Columns& columns_;
+    const NumberTable& numbers_;
+    Grid grid_;
+};
+
+/// Gives the mean its readings and the uncertainty that follows from them, where all of them have all its wavelengths.
+void take_repeats(Spectrum& mean, const std::vector<Spectrum>& readings) {
+    constexpr double decimals_step = 1e-4;  // "4 digits after the decimal", says the file
+    if (readings.size() < 2) return;
+    for (const Spectrum& reading : readings) {
+        if (reading.wavelength_nm != mean.wavelength_nm) return;
+    }
+    for (const Spectrum& reading : readings) mean.repeats.push_back(reading.value);
+    for (std::size_t i = 0; i < mean.value.size(); ++i) {
+        std::vector<double> at_once;
+        for (const Spectrum& reading : readings) at_once.push_back(reading.value[i]);
+        mean.sigma.push_back(sigma_of_mean(at_once, decimals_step));
+    }
+    mean.sigma_source = fmt::format("from {} repeats", readings.size());
+}
+
+std::optional<Quantity> measurand(const Columns& columns) {
+    for (const Comment& prose : columns.preamble) {
+        if (const auto quantity = quantity_named(prose.text)) return quantity;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+bool holds_nist_m38597(std::string_view text) {
+    constexpr std::size_t most_lines = 100;  // of prose
+    LineReader reader(text);
+    bool after_subjects = false;
+    for (std::size_t i = 0; i < most_lines; ++i) {
+        const auto line = reader.next();
+        if (!line) return false;
+        if (after_subjects && lower_case(line->substr(0, 10)) == "wavelength") return true;
+        after_subjects = names_subjects(*line);
+    }
+    return false;
+}
+
+std::vector<Spectrum> read_nist_m38597(std::string_view text, const std::string& source, const ReadOptions& options) {
+    const Columns columns = split_columns(text, source);
+    if (columns.preamble.empty() || columns.names.empty() || !names_subjects(columns.preamble.back().text)) {
+        throw InputError({.where = source,
+                          .problem = "has no line of subjects above the names of its columns",
+                          .why = "the form of NIST M38597 has both, as in ',Subject 1,,,,Subject 2'",
+                          .remedy = "choose another --reader, or leave the option out"});
+    }
+    std::vector<std::size_t> all(columns.width);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    const NumberTable numbers = read_number_table(columns, all);
+    const Table table(columns, numbers);
+    const std::string header = columns.names.front();
+    const UnitStatements statements{.option = options.unit, .comment = std::nullopt, .header = header};
+    const std::optional<Quantity> quantity = measurand(columns);
+
+    std::vector<Spectrum> spectra;
+    for (const Subject& subject : subjects_in(columns)) {
+        std::vector<Spectrum> readings;
+        for (const std::size_t c : subject.repeats) {
+            if (numbers.holds_words[c]) continue;
+            readings.push_back(table.spectrum(c, statements));
+            readings.back().name = fmt::format("{} {}", subject.name, columns.names[c]);
+        }
+        std::vector<Spectrum> means;
+        for (const std::size_t c : subject.means) {
+            if (numbers.holds_words[c]) continue;
+            means.push_back(table.spectrum(c, statements));
+            means.back().name = fmt::format("{} mean", subject.name);
+            take_repeats(means.back(), readings);
+        }
+        std::ranges::move(readings, std::back_inserter(spectra));
+        std::ranges::move(means, std::back_inserter(spectra));
+    }
+    for (Spectrum& spectrum : spectra) spectrum.quantity = quantity;
+    return spectra;
+}
+
+}  // namespace skinfit

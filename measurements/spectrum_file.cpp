@@ -1,0 +1,91 @@
+#include "measurements/spectrum_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/file.hpp"
+#include "core/input_error.hpp"
+#include "core/text.hpp"
+#include "measurements/readers.hpp"
+#include "measurements/spectrum_choice.hpp"
+#include "measurements/words.hpp"
+
+namespace skinfit {
+namespace {
+
+struct Reader {
+    std::string_view name;
+    bool (*recognises)(std::string_view text);
+    std::vector<Spectrum> (*read)(std::string_view text, const std::string& source, const ReadOptions& options);
+};
+
+/// The last takes whatever the others leave, and says what is wrong with it.
+constexpr std::array readers{
+    Reader{.name = "json", .recognises = holds_json, .read = read_json},
+    Reader{.name = "jcamp_dx", .recognises = holds_jcamp_dx, .read = read_jcamp_dx},
+    Reader{.name = "cgats", .recognises = holds_cgats, .read = read_cgats},
+    Reader{.name = "nist_m38597", .recognises = holds_nist_m38597, .read = read_nist_m38597},
+    Reader{.name = "rows", .recognises = holds_spectra_in_rows, .read = read_rows},
+    Reader{.name = "columns", .recognises = [](std::string_view) { return true; }, .read = read_columns},
+};
+
+const Reader& find_reader(std::string_view text, const std::optional<std::string>& wanted) {
+    if (!wanted) {
+        return *std::ranges::find_if(readers, [text](const Reader& reader) { return reader.recognises(text); });
+    }
+    const auto named = std::ranges::find(readers, *wanted, &Reader::name);
+    if (named != readers.end()) return *named;
+    const std::vector<std::string_view> names = reader_names();
+    throw InputError(
+        {.where = fmt::format("--reader {}", *wanted),
+         .problem = "there is no such reader",
+         .why = fmt::format("it is none of {}", fmt::join(names, ", ")),
+         .remedy = fmt::format("did you mean {}? Else leave the option out", nearest_name(*wanted, names))});
+}
+
+/// Spreadsheets are zip archives too.
+void refuse_zip(std::string_view text, const std::string& source) {
+    if (!text.starts_with("PK\x03\x04") && !text.starts_with("PK\x05\x06")) return;
+    throw InputError({.where = source,
+                      .problem = "is a zip archive",
+                      .why = "plain text is needed; spreadsheets such as .xlsx and .ods are zip archives too",
+                      .remedy = "unpack it, or export the spreadsheet as CSV in UTF-8"});
+}
+
+}  // namespace
+
+std::vector<std::string_view> reader_names() {
+    std::vector<std::string_view> names;
+    for (const Reader& reader : readers) names.push_back(reader.name);
+    return names;
+}
+
+SpectrumFile parse_spectra(std::string_view text, const std::string& source, const ReadOptions& options,
+                           const std::optional<std::string>& wanted) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    refuse_zip(text, source);
+    const Reader& reader = find_reader(text, wanted);
+    SpectrumFile file{
+        .source = source, .format = std::string(reader.name), .spectra = reader.read(text, source, options)};
+    if (file.spectra.empty()) {
+        throw InputError({.where = source,
+                          .problem = "holds no numbers",
+                          .why = "every value of every spectrum is missing",
+                          .remedy = "check that the file is complete"});
+    }
+    if (options.column && reader.read != read_columns) {
+        file.spectra = {choose_spectrum(std::move(file.spectra), source, *options.column)};
+    }
+    return file;
+}
+
+SpectrumFile read_spectra(const std::filesystem::path& path, const ReadOptions& options,
+                          const std::optional<std::string>& reader) {
+    return parse_spectra(read_file(path), path.string(), options, reader);
+}
+
+}  // namespace skinfit
