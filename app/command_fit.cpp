@@ -9,6 +9,7 @@
 #include "fit/configuration_json.hpp"
 #include "fit/file_settings.hpp"
 #include "fit/fit.hpp"
+#include "fit/inspection.hpp"
 #include "fit/report.hpp"
 #include "measurements/text_reader.hpp"
 
@@ -25,6 +26,7 @@ struct FitCommand {
     std::vector<std::string> fix;
     std::vector<std::string> own;
     bool cross_check = false;
+    bool strict = false;
     std::string solver;
     std::string uncertainty;
     std::filesystem::path samples;
@@ -89,9 +91,12 @@ int run(const FitCommand& command) {
     const Configuration configuration =
         fit_configuration(command, with_file_settings(default_configuration(), spectra));
     check_samples(command, configuration);
+    const std::vector<Finding> findings = findings_before_fit(configuration, spectra);
+    if (command.strict) refuse_warnings(findings, spectra.front().source);
     const auto limit = thread_limit(command.shared);
     const FitResult result =
-        fit_spectra(configuration, spectra, {.cross_check = command.cross_check, .cache = cache_from(command.shared)});
+        fit_spectra(configuration, spectra,
+                    {.cross_check = command.cross_check, .cache = cache_from(command.shared), .findings = findings});
     if (!command.samples.empty()) {
         std::vector<std::string> names;
         for (const FittedParameter& free : result.free) names.push_back(free.name);
@@ -134,6 +139,7 @@ void add_fit_command(CLI::App& app, int& exit_code) {
     fit->add_option("--samples", command->samples, "write the draws of the posterior there, as CSV")->type_name("FILE");
     fit->add_option("--solver", command->solver,
                     "ceres (exact derivatives), slsqp (the same), bobyqa, sbplx (none), crs2 (global)");
+    fit->add_flag("--strict", command->strict, "refuse a spectrum with warnings; `skinfit inspect` shows them");
     fit->add_flag("--cross-check", command->cross_check, "fit by the other solvers too and compare");
     add_shared_options(*fit, command->shared, {"text", "json"});
     fit->footer("Exit code 0: trustworthy; 1: a result with a warning; 2: bad input; 3: internal error.");

@@ -16,6 +16,14 @@ constexpr double different_sigmas = 0.1;
 constexpr double mixed = 1.01;        // R-hat, [VEHTARI21]
 constexpr double enough_draws = 400;  // effective, [VEHTARI21]
 
+void judge_spectrum(const FitResult& result, std::vector<std::string>& reasons) {
+    std::string names;
+    for (const Finding& finding : result.findings) {
+        if (finding.severity == Severity::warning) names += (names.empty() ? "" : ", ") + finding.name;
+    }
+    if (!names.empty()) reasons.push_back(fmt::format("SPECTRUM IN DOUBT: {}; see its findings", names));
+}
+
 void judge_misfit(const FitResult& result, std::vector<std::string>& reasons) {
     const std::size_t wavelengths = reading_count(result);
     if (wavelengths < result.free.size()) {
@@ -136,6 +144,7 @@ Diagnosis diagnose(const FitResult& result) {
                                 result.answer.minimum.termination)}};
     }
     std::vector<std::string> reasons;
+    judge_spectrum(result, reasons);
     judge_misfit(result, reasons);
     judge_runs(result, reasons);
     judge_minima(result, reasons);

@@ -281,6 +281,7 @@ FitResult fit_spectra(const Configuration& configuration, std::span<const Spectr
 
     FitResult result;
     result.configuration = spectra.size() == 1 ? resolved(configuration, spectra.front()) : configuration;
+    result.findings = options.findings;
     describe_misfit(objective, minimum, spectra, result);
     result.free = free_rows(problem, minimum, inference.uncertainty, configuration);
     result.fixed = fixed_rows(configuration);

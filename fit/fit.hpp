@@ -4,6 +4,7 @@
 #include "fit/forward_model.hpp"
 #include "fit/problem.hpp"
 #include "fit/result.hpp"
+#include "measurements/quality.hpp"
 #include "measurements/spectrum.hpp"
 #include "model/ensemble_cache.hpp"
 
@@ -13,6 +14,7 @@ namespace skinfit {
 struct FitOptions {
     bool cross_check = false;  ///< also by the other solvers, and compare
     EnsembleCache cache;
+    std::vector<Finding> findings{};  ///< on the spectra, for the result: `findings_before_fit`
 };
 
 /// Explains all `spectra` (at least one) together as `configuration` says. Throws InputError for a problem that makes

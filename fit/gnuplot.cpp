@@ -73,6 +73,10 @@ std::string gnuplot_terminal(const std::filesystem::path& path, const PictureSiz
 
 std::string gnuplot_string(std::string_view text) {
     std::string result = "'";
+    if (text.starts_with('\'')) {  // a doubled quote cannot stand first
+        result += "\u2019";
+        text.remove_prefix(1);
+    }
     for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
         if (c == '\'') result += '\'';  // between single quotes only the quote itself is special

@@ -18,7 +18,8 @@ struct PictureSize {
 /// another.
 [[nodiscard]] std::string gnuplot_terminal(const std::filesystem::path& path, const PictureSize& size);
 
-/// `text` as a string of gnuplot's that is printed as it is; control characters become blanks.
+/// `text` as a string of gnuplot's that is printed as it is, but for control characters, which become blanks, and an
+/// apostrophe that comes first, which becomes a typographic one.
 [[nodiscard]] std::string gnuplot_string(std::string_view text);
 
 /// The lines that define the data block `$name`, one point of `x` and `y` each.

@@ -1,5 +1,6 @@
 #include "core/version.hpp"
 #include "fit/configuration_json.hpp"
+#include "fit/inspection.hpp"
 #include "fit/report.hpp"
 
 namespace skinfit {
@@ -147,6 +148,7 @@ Json json_report(const FitResult& result) {
     } else {
         json["spectra"] = spectra_json(result);
     }
+    json["findings"] = findings_json(result.findings);
     for (const char* key : {"edition", "engine", "seed", "rays"}) json[key] = configuration[key];
     json["version"] = version;
     json["configuration"] = configuration;

@@ -5,6 +5,7 @@
 
 #include "core/version.hpp"
 #include "fit/configuration_json.hpp"
+#include "fit/inspection.hpp"
 #include "fit/report.hpp"
 
 namespace skinfit {
@@ -250,6 +251,7 @@ std::string text_report(const FitResult& result) {
     if (result.verdict != Verdict::trustworthy) std::ranges::transform(verdict, verdict.begin(), ::toupper);
     std::string text = title_text(result) + fmt::format("verdict: {}\n", verdict);
     for (const std::string& reason : result.reasons) text += fmt::format("  - {}\n", reason);
+    if (!result.findings.empty()) text += findings_text(result.findings, result.spectra.size());
     text += fmt::format("\n{}\n", parameter_table_text(result));
     text += fmt::format("misfit: rmse {:.5f}, chi2 {:.2f} for {:.3g} degrees of freedom{}\n", result.rmse, result.chi2,
                         result.degrees_of_freedom, result.p_value ? fmt::format(" (p = {:.2g})", *result.p_value) : "");

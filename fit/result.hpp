@@ -10,6 +10,7 @@
 #include "fit/minimum.hpp"
 #include "fit/multistart.hpp"
 #include "fit/uncertainty.hpp"
+#include "measurements/quality.hpp"
 
 namespace skinfit {
 
@@ -53,6 +54,7 @@ struct FitResult {
     Verdict verdict = Verdict::failed;
     std::vector<std::string> reasons;     ///< each with its remedy; empty when trustworthy
     std::vector<FittedSpectrum> spectra;  ///< at least one
+    std::vector<Finding> findings;        ///< on the spectra, made before the fit
     double rmse = 0.0;                    ///< of reading minus measurement, over all spectra, fraction
     double chi2 = 0.0;  ///< of the data alone, whitened by noise and discrepancy: without weights, loss and priors
     double cost = 0.0;  ///< what was minimised

@@ -30,6 +30,13 @@ const Plot example = {.title = "a `date` title's \"$HOME\" \\n",
                       .lines = {{.label = "melanosome_fraction = 1", .x = {1, 2, 3}, .y = {1, -1, 0.5}},
                                 {.label = "it's\nEND\nexit 1", .x = {1, 3}, .y = {0, 1e-3}}}};
 
+TEST_F(PlotTest, ALabelMayBeginWithAnApostrophe) {
+    Plot quoted = example;
+    quoted.title = "'quoted'";
+    draw(quoted, in_folder("a.svg"));
+    EXPECT_NE(read_file(in_folder("a.svg")).find("\u2019quoted'"), std::string::npos);
+}
+
 TEST_F(PlotTest, AnSvgHoldsItsLabelsAsTheyAre) {
     draw(example, in_folder("a.svg"));
     const std::string svg = read_file(in_folder("a.svg"));

@@ -1,0 +1,75 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "app/commands.hpp"
+#include "app/shared_options.hpp"
+#include "fit/configuration_json.hpp"
+#include "fit/gnuplot.hpp"
+#include "fit/inspection.hpp"
+#include "fit/spectra_plot.hpp"
+
+namespace skinfit {
+namespace {
+
+struct InspectCommand {
+    SharedOptions output;
+    std::filesystem::path file;
+    std::string reader;
+    std::string unit;
+    std::filesystem::path plot;
+    bool strict = false;
+};
+
+ReadOptions read_options(const InspectCommand& command) {
+    if (command.unit.empty()) return {};
+    return {.unit = configured_by_word(default_configuration(), "unit", command.unit, "--unit").unit};
+}
+
+void check_plot(const InspectCommand& command) {
+    if (command.plot.empty()) return;
+    (void)gnuplot_terminal(command.plot, {.width = 1, .height = 1});  // refuses an unknown suffix before the work
+    SharedOptions plot = command.output;
+    plot.out = command.plot;
+    check_output(plot, {command.file, command.output.out});
+}
+
+int run(const InspectCommand& command) {
+    const ReadOptions options = read_options(command);
+    check_output(command.output, {command.file});
+    check_plot(command);
+    const Inspection inspection = inspected(
+        read_spectra(command.file, options, command.reader.empty() ? std::nullopt : std::optional(command.reader)));
+    if (!command.plot.empty()) {
+        draw_spectra(inspection.file.spectra, command.file.filename().string(), command.plot);
+    }
+    write_output(command.output, command.output.format == "json" ? json_text(inspection_json(inspection))
+                                                                 : inspection_text(inspection));
+    if (command.strict) refuse_warnings(inspection.findings, inspection.file.source);
+    return trustworthy_result;
+}
+
+}  // namespace
+
+void add_inspect_command(CLI::App& app, int& exit_code) {
+    const auto command = std::make_shared<InspectCommand>();
+    command->output.format = "text";
+    CLI::App* const inspect =
+        app.add_subcommand("inspect", "show what a measured file holds and what is wrong with its spectra");
+    inspect->add_option("FILE", command->file, "spectra, in any form that skinfit reads")->required()->type_name("");
+    inspect
+        ->add_option(
+            "--reader", command->reader,
+            fmt::format("read the file as {}; found by its content otherwise", fmt::join(reader_names(), ", ")))
+        ->type_name("NAME");
+    inspect->add_option("--unit", command->unit, "of the values: fraction or percent; found by a rule otherwise");
+    inspect->add_option("--plot", command->plot, "draw the spectra there, as .svg, .png or .pdf")->type_name("FILE");
+    inspect->add_flag("--strict", command->strict, "make warnings errors: exit code 2 where there are any");
+    inspect->add_option("--format", command->output.format, "form of the output")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->capture_default_str();
+    inspect->add_option("--out", command->output.out, "write there instead of to the terminal")->type_name("FILE");
+    inspect->footer("Exit code 0: done; 2: bad input, or warnings with --strict; 3: internal error.");
+    inspect->callback([command, &exit_code] { exit_code = run(*command); });
+}
+
+}  // namespace skinfit

@@ -1,0 +1,101 @@
+#include "fit/inspection.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/problem.hpp"
+#include "model/chromophores.hpp"
+
+namespace skinfit {
+namespace {
+
+/// What `member` is in all spectra, where that is the same.
+template <class Value, class Member>
+std::optional<Value> shared(const std::vector<Spectrum>& spectra, Member member) {
+    const std::optional<Value> first = member(spectra.front());
+    const bool same = std::ranges::all_of(spectra, [&](const Spectrum& each) { return member(each) == first; });
+    return same ? first : std::nullopt;
+}
+
+/// The texts that `member` is in some spectrum, each once, in order.
+template <class Member>
+std::string all_texts(const std::vector<Spectrum>& spectra, Member member) {
+    std::vector<std::string> texts;
+    std::string joined;
+    for (const Spectrum& spectrum : spectra) {
+        const std::string& text = spectrum.*member;
+        if (text.empty() || std::ranges::find(texts, text) != texts.end()) continue;
+        texts.push_back(text);
+        joined += joined.empty() ? text : "; " + text;
+    }
+    return joined;
+}
+
+/// The step of all wavelengths of all spectra.
+std::optional<double> step_of(const std::vector<Spectrum>& spectra) {
+    constexpr double rounding = 1e-6;  // of wavelengths as files print them
+    std::optional<double> step;
+    for (const Spectrum& spectrum : spectra) {
+        for (std::size_t i = 1; i < spectrum.wavelength_nm.size(); ++i) {
+            const double difference = spectrum.wavelength_nm[i] - spectrum.wavelength_nm[i - 1];
+            if (!step) step = difference;
+            if (std::abs(difference - *step) > rounding * *step * static_cast<double>(spectrum.wavelength_nm.size())) {
+                return std::nullopt;
+            }
+        }
+    }
+    return step;
+}
+
+}  // namespace
+
+std::vector<Finding> findings_in(std::span<const Spectrum> spectra) {
+    const WavelengthRange modelled = modelled_wavelengths();
+    return quality_findings(spectra, {.lowest_nm = modelled.lowest_nm, .highest_nm = modelled.highest_nm});
+}
+
+std::vector<Finding> findings_before_fit(const Configuration& configuration, std::span<const Spectrum> spectra) {
+    std::vector<Spectrum> as_fitted(spectra.begin(), spectra.end());
+    for (Spectrum& spectrum : as_fitted) {
+        const Configuration complete = resolved(configuration, spectrum);
+        spectrum.quantity = complete.quantity;
+        spectrum.geometry = {.incidence_deg = complete.incidence_deg,
+                             .specular = complete.specular,
+                             .viewing_cone_deg = complete.viewing_cone_deg};
+    }
+    return findings_in(as_fitted);
+}
+
+Inspection inspected(SpectrumFile file) {
+    const std::vector<Spectrum>& spectra = file.spectra;
+    Inspection inspection{
+        .file = {},
+        .first_nm = spectra.front().wavelength_nm.front(),
+        .last_nm = spectra.front().wavelength_nm.back(),
+        .step_nm = step_of(spectra),
+        .fewest_readings = spectra.front().value.size(),
+        .most_readings = 0,
+        .smallest = HUGE_VAL,
+        .largest = -HUGE_VAL,
+        .unit_rule = all_texts(spectra, &Spectrum::unit_rule),
+        .sigma_source = all_texts(spectra, &Spectrum::sigma_source),
+        .quantity = shared<Quantity>(spectra, [](const Spectrum& each) { return each.quantity; }),
+        .geometry = {.incidence_deg =
+                         shared<double>(spectra, [](const Spectrum& each) { return each.geometry.incidence_deg; }),
+                     .specular = shared<Specular>(spectra, [](const Spectrum& each) { return each.geometry.specular; }),
+                     .viewing_cone_deg =
+                         shared<double>(spectra, [](const Spectrum& each) { return each.geometry.viewing_cone_deg; })},
+        .findings = findings_in(spectra)};
+    for (const Spectrum& spectrum : spectra) {
+        inspection.first_nm = std::min(inspection.first_nm, spectrum.wavelength_nm.front());
+        inspection.last_nm = std::max(inspection.last_nm, spectrum.wavelength_nm.back());
+        inspection.fewest_readings = std::min(inspection.fewest_readings, spectrum.value.size());
+        inspection.most_readings = std::max(inspection.most_readings, spectrum.value.size());
+        inspection.smallest = std::min(inspection.smallest, std::ranges::min(spectrum.value));
+        inspection.largest = std::max(inspection.largest, std::ranges::max(spectrum.value));
+    }
+    inspection.file = std::move(file);
+    return inspection;
+}
+
+}  // namespace skinfit

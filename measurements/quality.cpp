@@ -1,0 +1,48 @@
+#include "measurements/quality.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "core/input_error.hpp"
+#include "measurements/quality_checks.hpp"
+
+namespace skinfit {
+
+std::vector<Finding> quality_findings(std::span<const Spectrum> spectra, const ModelledRange& modelled) {
+    constexpr std::array checks = {
+        unit_conflict,   outside_0_1, offset,     dark_everywhere, missing_values,       spikes,
+        collapse_at_end, falling_end, saturation, no_haemoglobin,  noise_against_repeats};
+    std::vector<Finding> findings;
+    for (const Spectrum& spectrum : spectra) {
+        for (const auto check : checks) {
+            if (std::optional<Finding> finding = check(spectrum)) findings.push_back(std::move(*finding));
+        }
+        if (std::optional<Finding> finding = outside_tables(spectrum, modelled)) {
+            findings.push_back(std::move(*finding));
+        }
+    }
+    std::ranges::move(duplicates(spectra), std::back_inserter(findings));
+    std::ranges::move(reflectance_plus_transmittance(spectra), std::back_inserter(findings));
+    return findings;
+}
+
+std::string_view name_of(Severity severity) {
+    return severity == Severity::note ? "note" : "warning";
+}
+
+void refuse_warnings(const std::vector<Finding>& findings, const std::string& source) {
+    const auto is_warning = [](const Finding& finding) { return finding.severity == Severity::warning; };
+    const auto first = std::ranges::find_if(findings, is_warning);
+    if (first == findings.end()) return;
+    const auto count = std::ranges::count_if(findings, is_warning);
+    throw InputError(
+        {.where = fmt::format("{}: {}", source, first->spectrum),
+         .problem = fmt::format("{}: {}", first->name, first->message),
+         .why = fmt::format("--strict makes it an error{}", count == 1 ? "" : fmt::format(", the first of {}", count)),
+         .remedy = first->remedy});
+}
+
+}  // namespace skinfit
