@@ -84,9 +84,10 @@ void add_validate_inverse_command(CLI::App& validate, int& exit_code) {
     inverse->add_option("--seed", command->seed, "of skins, noise, starts and chains");
     inverse->add_option("--engine", command->engine, "of the fits: emulator, paths or solver; emulator by default");
     inverse
-        ->add_option("--simulate-by", command->simulate_by,
-                     "engine of the spectra: solver, emulator, or paths, whose walks have another seed than the fits'")
-        ->check(CLI::IsMember({"solver", "emulator", "paths"}))
+        ->add_option(
+            "--simulate-by", command->simulate_by,
+            "engine of the spectra: solver, emulator, walk, or paths, whose walks have another seed than the fits'")
+        ->check(CLI::IsMember({"solver", "emulator", "walk", "paths"}))
         ->capture_default_str();
     inverse->add_option("--intervals", command->intervals, "kinds of interval to compute")
         ->type_name("KIND,KIND")

@@ -6,7 +6,7 @@ namespace skinfit {
 namespace {
 
 // A range from a to b gives median sqrt(a b) and sigma_log log(b / a) / 2.
-const std::array<PhysiologicalPrior, 11> priors = {{
+const std::array<PhysiologicalPrior, 13> priors = {{
     {Parameter::melanosome_fraction, LogNormalPrior{.median = 0.0748, .sigma_log = 1.75},
      "[KA04]: 0.013 in light to 0.43 in dark skin"},
     {Parameter::papillary_blood_fraction, LogNormalPrior{.median = 0.0118, .sigma_log = 1.78}, "[KA04]: 0.002 to 0.07"},
@@ -21,6 +21,10 @@ const std::array<PhysiologicalPrior, 11> priors = {{
      "[KA04, Sec. 2.1]: 0.001 to 0.002"},
     {Parameter::epidermis_thickness_cm, LogNormalPrior{.median = 0.00636, .sigma_log = 0.857},
      "[KA04, Sec. 2.1]: 0.0027 to 0.015"},
+    {Parameter::papillary_dermis_thickness_cm, LogNormalPrior{.median = 0.02, .sigma_log = 0.805},
+     "[KA04, Table 1]: 0.02; width: that of the whole dermis, 0.06 to 0.3 in [KA04]"},
+    {Parameter::reticular_dermis_thickness_cm, LogNormalPrior{.median = 0.18, .sigma_log = 0.805},
+     "[KA04, Table 1]: 0.18; width: that of the whole dermis, 0.06 to 0.3 in [KA04]"},
     {Parameter::fibril_radius_nm, LogNormalPrior{.median = 25.0, .sigma_log = 0.3},
      "[KA04, Table 1]: 25; width: skinfit, fits to real skin choose 20 to 30"},
     {Parameter::scale, LogNormalPrior{.median = 1.0, .sigma_log = 0.1},

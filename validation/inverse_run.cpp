@@ -24,6 +24,28 @@ Spectrum placeholder(const Configuration& configuration) {
     return spectrum;
 }
 
+/// By the analog walk, each spectrum with a seed of its own.
+Simulator walked(const FitProblem& problem) {
+    return [&problem](std::span<const double> values, std::uint64_t number) {
+        const Measurement& measurement = problem.only();
+        Experiment experiment = measurement.experiment;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            value_of(experiment.values, problem.free[i].parameter) = values[i];
+        }
+        const auto count = static_cast<Eigen::Index>(measurement.wavelength_nm.size());
+        SimulatedReadings simulated{.reading = Eigen::VectorXd(count), .standard_error = Eigen::VectorXd(count)};
+        const std::vector<Reading> readings =
+            read_by_walk(experiment, measurement.wavelength_nm, measurement.walk.rays, measurement.walk.seed + number);
+        const bool reflected = measurement.quantity == Quantity::reflectance;
+        for (Eigen::Index row = 0; row < count; ++row) {
+            const Reading& reading = readings[static_cast<std::size_t>(row)];
+            simulated.reading[row] = reflected ? reading.reflectance : reading.transmittance;
+            simulated.standard_error[row] = reflected ? reading.reflectance_se : reading.transmittance_se;
+        }
+        return simulated;
+    };
+}
+
 }  // namespace
 
 Configuration study_configuration() {
@@ -52,15 +74,20 @@ InverseStudy run_inverse_study(const Configuration& configuration, Engine simula
     const FitProblem problem = make_problem(complete, spectrum);
     FitProblem simulated = problem;
     ++simulated.only().walk.seed;
-    const Objective truth(simulated, make_models(simulated, simulator, cache));
     design.noise = complete.noise;
     design.seed = complete.seed;
     design.starts = complete.starts;
     design.thorough_starts = 4 * complete.starts;
-    return {.free = problem.free,
-            .spectra = recover(
-                problem, make_models(problem, complete.engine, cache),
-                [&truth](std::span<const double> values) { return truth.readings(values); }, design)};
+    const std::vector<ForwardModel> models = make_models(problem, complete.engine, cache);
+    if (simulator == Engine::walk) {
+        return {.free = problem.free, .spectra = recover(problem, models, walked(simulated), design)};
+    }
+    const Objective truth(simulated, make_models(simulated, simulator, cache));
+    const auto exact = [&truth](std::span<const double> values, std::uint64_t /*number*/) {
+        const Eigen::VectorXd reading = truth.readings(values);
+        return SimulatedReadings{.reading = reading, .standard_error = Eigen::VectorXd::Zero(reading.size())};
+    };
+    return {.free = problem.free, .spectra = recover(problem, models, exact, design)};
 }
 
 }  // namespace skinfit

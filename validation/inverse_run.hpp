@@ -17,7 +17,8 @@ struct InverseStudy {
 };
 
 /// Recovers `design.spectra` skins at the configuration's `wavelengths` within its window, with its `noise` in place of
-/// the design's. The spectra are simulated by `simulator`, over walks with another seed where that is Engine::paths.
+/// the design's. The spectra are simulated by `simulator`: over recorded walks with another seed where that is
+/// Engine::paths, by an analog walk with a seed for each where it is Engine::walk, whose own noise counts as noise.
 /// Throws InputError as `make_problem` does, and for a discrepancy, which is not simulated.
 [[nodiscard]] InverseStudy run_inverse_study(const Configuration& configuration, Engine simulator,
                                              RecoveryDesign design, const EnsembleCache& cache);

@@ -1,11 +1,13 @@
 #include "validation/inverse_study.hpp"
 
+#include <fmt/format.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/input_error.hpp"
 #include "fit/fit.hpp"
 #include "fit/multistart.hpp"
 
@@ -50,8 +52,17 @@ Case drawn_case(const FitProblem& problem, const Simulator& simulate, const Reco
     // Apart from the chains of any posterior.
     ChainRandom random(design.seed, number + (std::uint64_t{1} << 62U));
     Case drawn{.truth = drawn_skin(problem, random), .measured = {}};
-    for (const double reading : simulate(drawn.truth)) {
-        drawn.measured.push_back(reading + design.noise * random.normal());
+    const SimulatedReadings simulated = simulate(drawn.truth, number);
+    for (Index row = 0; row < simulated.reading.size(); ++row) {
+        const double missing = design.noise * design.noise - std::pow(simulated.standard_error[row], 2);
+        if (!(missing >= 0.0)) {
+            throw InputError({.where = "rays",
+                              .problem = fmt::format("leave a noise of {:.2g} in a simulated reading",
+                                                     simulated.standard_error[row]),
+                              .why = fmt::format("the study wants one of {:g}", design.noise),
+                              .remedy = "set more rays, or a larger noise"});
+        }
+        drawn.measured.push_back(simulated.reading[row] + std::sqrt(missing) * random.normal());
     }
     return drawn;
 }

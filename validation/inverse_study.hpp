@@ -13,9 +13,15 @@
 /// Recovery studies: spectra of known skin, drawn at random, with noise, analysed as if nothing were known of them.
 namespace skinfit {
 
-/// The readings of a skin with these values of the free parameters, without noise, at the wavelengths of the problem;
-/// called from several threads at a time.
-using Simulator = std::function<Eigen::VectorXd(std::span<const double> values)>;
+/// Readings at the wavelengths of the problem, and what is random in them.
+struct SimulatedReadings {
+    Eigen::VectorXd reading;         ///< fractions
+    Eigen::VectorXd standard_error;  ///< of the noise that they have already, independent from reading to reading
+};
+
+/// The readings of a skin with these values of the free parameters, spectrum `number` of a study, without the noise of
+/// an instrument; called from several threads at a time.
+using Simulator = std::function<SimulatedReadings(std::span<const double> values, std::uint64_t number)>;
 
 inline constexpr std::size_t uncertainty_methods = 3;  ///< as in `UncertaintyMethod`
 
@@ -57,8 +63,9 @@ struct RecoveredSpectrum {
 };
 
 /// Draws `design.spectra` skins, each free parameter from its prior within its bounds (uniform where it has none) and
-/// all of them as priors on derived quantities say, simulates each with `simulate`, and fits `problem` to it over
-/// `model`. Spectra in parallel, the same results on any number of threads.
+/// all of them as priors on derived quantities say, simulates each with `simulate`, adds what noise is missing, and
+/// fits `problem` to it over `models`. Spectra in parallel, the same results on any number of threads. Throws
+/// InputError where the simulated readings have more noise than the design wants.
 [[nodiscard]] std::vector<RecoveredSpectrum> recover(const FitProblem& problem, const std::vector<ForwardModel>& models,
                                                      const Simulator& simulate, const RecoveryDesign& design);
 
