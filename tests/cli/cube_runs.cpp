@@ -68,14 +68,15 @@ TEST_F(CubeRuns, ConvertGivesTheMeanOfTheMaskOrTheRectangle) {
 TEST_F(CubeRuns, FitExplainsTheMean) {
     const Outcome outcome = run({"fit", "arm.hdr", "--mask", "mask.dat", "--format", "json"});
     ASSERT_LE(outcome.exit_code, 1) << outcome.err;
-    EXPECT_EQ(nlohmann::json::parse(outcome.out)["unit_rule"], "fraction: no value exceeds 1.5");
+    EXPECT_NE(outcome.out.find(R"("unit_rule": "fraction: most values are at most 1.5")"), std::string::npos)
+        << outcome.out;
 }
 
 TEST_F(CubeRuns, NoFileOfTheCubeIsReplaced) {
     for (const std::string file : {"arm.raw", "arm.hdr", "mask.dat", "mask.hdr"}) {
         const Outcome outcome = run({"convert", "arm.hdr", "--mask", "mask.dat", "--out", file});
         EXPECT_EQ(outcome.exit_code, 2);
-        EXPECT_TRUE(outcome.err.starts_with("error: " + file + ": ")) << outcome.err;
+        EXPECT_TRUE(outcome.err.starts_with("error: --out " + file + ": is a file that is read")) << outcome.err;
     }
 }
 

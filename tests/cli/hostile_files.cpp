@@ -67,7 +67,7 @@ TEST_F(HostileFiles, ThatAreSomethingElse) {
     put("spectra.csv", std::string("PK\x03\x04\x14\0\0\0\x08\0", 10));
     expect_message("spectra.csv",
                    "spectra.csv: is a zip archive (plain text is needed; spreadsheets such as .xlsx and .ods are zip "
-                   "archives too); unpack it, or export the spectrum as CSV in UTF-8");
+                   "archives too); unpack it, or export the spreadsheet as CSV in UTF-8");
     put("binary.csv", std::string("400,0.5\n\x7f"
                                   "ELF\0\1\2",
                                   15));
@@ -75,16 +75,22 @@ TEST_F(HostileFiles, ThatAreSomethingElse) {
                    "binary.csv:2: holds the control byte 0x7f (plain text is needed; this is a binary, spreadsheet or "
                    "UTF-16 file); export it as plain text or CSV in UTF-8");
     put("empty.csv", "");
-    expect_message("empty.csv", "empty.csv: is empty");
+    expect_message(
+        "empty.csv",
+        "empty.csv: is empty (lines of a wavelength and its values are needed); check that the file is complete");
 }
 
 TEST_F(HostileFiles, ThatNestDeeply) {
     put("deep.json", std::string(1'000'000, '['));
-    expect_message("deep.json", "deep.json: nests more than 64 deep");
+    expect_message(
+        "deep.json",
+        "deep.json: nests more than 64 deep (no file of ours is so deep); check that this is the right file");
     std::string objects;
     for (int i = 0; i < 100'000; ++i) objects += "{\"a\":";
     put("objects.json", objects);
-    expect_message("objects.json", "objects.json: nests more than 64 deep");
+    expect_message(
+        "objects.json",
+        "objects.json: nests more than 64 deep (no file of ours is so deep); check that this is the right file");
 }
 
 TEST_F(HostileFiles, ThatPromiseMoreThanTheyHold) {
