@@ -62,6 +62,7 @@ std::vector<Block> blocks_in(std::string_view text, const std::string& source) {
     LineReader reader(text);
     while (const auto whole = reader.next()) {
         ++number;
+        refuse_long_line(*whole, number, source);
         const std::string_view line = without_comment(*whole);
         const std::size_t equals = line.find('=');
         if (!line.starts_with("##") || equals == std::string_view::npos) {
@@ -269,6 +270,7 @@ bool holds_jcamp_dx(std::string_view text) {
 }
 
 std::vector<Spectrum> read_jcamp_dx(std::string_view text, const std::string& source, const ReadOptions& options) {
+    refuse_large_text(text, source);
     refuse_binary(text, source);
     std::vector<Spectrum> spectra;
     std::size_t points = 0;
