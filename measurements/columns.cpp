@@ -83,15 +83,16 @@ Shape shape_of(std::span<const Row> rows, char separator) {
     Shape shape;
     CellCutter cutter(separator);
     for (const Row& row : rows) {
-        const std::span<const std::string_view> cells = cutter.cut(row.text);
-        if (shape.first_width == 0) shape.first_width = cells.size();
-        shape.same_width = shape.same_width && cells.size() == shape.first_width;
-        shape.widest = std::max(shape.widest, filled_width(cells));
-        if (!shape.word && !is_missing(cells.front()) && !starts_like_a_number(cells.front())) shape.word = row;
+        const RowShape found = cutter.shape(row.text);
+        if (shape.first_width == 0) shape.first_width = found.width;
+        shape.same_width = shape.same_width && found.width == shape.first_width;
+        shape.widest = std::max(shape.widest, found.filled);
+        if (!shape.word && !starts_like_a_number(found.first) && !is_missing(found.first)) shape.word = row;
         if (separator != ',') continue;
         shape.has_points = shape.has_points || row.text.find('.') != std::string_view::npos;
-        const bool has_blanks = row.text.find_first_of(" \t") != std::string_view::npos;
-        if (!shape.two_numbers && has_blanks && std::ranges::any_of(cells, is_two_numbers)) {
+        const bool has_blanks =
+            row.text.find(' ') != std::string_view::npos || row.text.find('\t') != std::string_view::npos;
+        if (!shape.two_numbers && has_blanks && std::ranges::any_of(cutter.cut(row.text), is_two_numbers)) {
             shape.two_numbers = row.line;
         }
     }
