@@ -46,14 +46,6 @@ char find_separator(const std::vector<Row>& rows) {
                                 "# before a title, and write decimal points, not commas"});
 }
 
-void check_length(std::string_view line, std::size_t number, const std::string& source) {
-    if (line.size() <= longest_line_bytes) return;
-    throw InputError({.where = fmt::format("{}:{}", source, number),
-                      .problem = fmt::format("has {} MiB in one line", line.size() >> 20U),
-                      .why = fmt::format("at most {} are read", longest_line_bytes >> 20U),
-                      .remedy = "check that this is a file of spectra"});
-}
-
 void check_column_count(const Columns& columns) {
     if (columns.width <= most_columns) return;
     throw InputError({.where = at_line(columns, columns.rows.front().line),
@@ -188,7 +180,7 @@ Lines split_comments(std::string_view text, const std::string& source) {
     LineReader reader(text);
     while (const auto line = reader.next()) {
         ++number;
-        check_length(*line, number, source);
+        refuse_long_line(*line, number, source);
         std::size_t size = line->find('#');
         if (size != std::string_view::npos) size = find_unquoted(*line, "#");
         const std::string_view content = line->substr(0, size);

@@ -13,6 +13,7 @@
 #include "measurements/cells.hpp"
 #include "measurements/columns.hpp"
 #include "measurements/description.hpp"
+#include "measurements/limits.hpp"
 #include "measurements/readers.hpp"
 #include "measurements/spectrum_building.hpp"
 #include "measurements/words.hpp"
@@ -45,6 +46,7 @@ struct RowHeader {
 /// speaks of wavelengths makes the numbers names of columns.
 std::optional<RowHeader> row_header(std::string_view line) {
     constexpr std::size_t fewest = 3;
+    if (line.size() > longest_line_bytes) return std::nullopt;
     constexpr std::array marks = {',', ';', '\t'};
     const auto most = std::ranges::max_element(marks, {}, [line](char c) { return std::ranges::count(line, c); });
     const char separator = line.find(*most) == std::string_view::npos ? ' ' : *most;

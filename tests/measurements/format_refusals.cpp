@@ -41,7 +41,8 @@ TEST(FormatRefusals, OfFilesThatAreNoText) {
          "export it "
          "as plain text or CSV in UTF-8"},
         {"400,0.5\n" + std::string(longest_line_bytes + 1, '1'),
-         "f:2: has 64 MiB in one line (at most 64 are read); check that this is a file of spectra"},
+         "f:2: has more than 16 MiB in one line (no file of spectra has such lines); check that this is a file of "
+         "spectra"},
     });
 }
 

@@ -25,6 +25,7 @@ const std::vector<Form> forms{
     {"columns", "nm;R\n400,0;0,1\n410,0;0,25\n420,0;0,375\n"},
     {"columns", "Wavelength (nm), Reflectance\n400 0.1\n410 0.25\n420 0.375\n"},
     {"columns", "Instrument: made up\n\nWave;Sample\n[nm];[%]\n400;10\n410;25\n420;37.5\n"},
+    {"columns", "Wavelength (\xC2\xB5m),Reflectance\n0.4,0.1\n0.41,0.25\n0.42,0.375\n"},
     {"columns", "Made up\n>>>>> Begin <<<<<\n400\t0.1\n410\t0.25\n420\t0.375\n"},
     {"rows", "id,400,410,420,430\none,0.1,0.25,0.375,\n"},
     {"rows", "id;site;420 nm;410 nm;400 nm\none;arm;37,5;25;10\n"},
@@ -72,7 +73,7 @@ TEST(Formats, AMissingValueIsLeftOutAndCounted) {
 }
 
 TEST(Formats, RowsKeepTheirOtherLabelsAsNotes) {
-    const Spectrum spectrum = parse_spectra(forms[10].text, "made_up").spectra.front();
+    const Spectrum spectrum = parse_spectra(forms[11].text, "made_up").spectra.front();
     EXPECT_EQ(spectrum.name, "one");
     EXPECT_EQ(spectrum.line, 2U);
     ASSERT_EQ(spectrum.notes.size(), 1U);
