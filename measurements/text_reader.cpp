@@ -10,6 +10,7 @@
 #include "measurements/column_choice.hpp"
 #include "measurements/columns.hpp"
 #include "measurements/header.hpp"
+#include "measurements/envi_reader.hpp"
 #include "measurements/spectrum_choice.hpp"
 #include "measurements/spectrum_file.hpp"
 
@@ -86,7 +87,10 @@ Spectrum parse_spectrum(std::string_view text, const std::string& source, const 
 
 Spectrum read_spectrum(const std::filesystem::path& path, const ReadOptions& options,
                        const std::optional<std::string>& reader) {
-    return parse_spectrum(read_file(path), path.string(), options, reader);
+    if (!is_cube(path, reader)) return parse_spectrum(read_spectrum_text(path), path.string(), options, reader);
+    SpectrumFile file = read_spectra(path, options, reader);
+    check_values(file, {}, options);
+    return std::move(file.spectra.front());
 }
 
 }  // namespace skinfit

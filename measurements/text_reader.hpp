@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "measurements/region_choice.hpp"
 #include "measurements/spectrum.hpp"
 #include "measurements/unit_rule.hpp"
 
@@ -14,6 +15,7 @@ namespace skinfit {
 struct ReadOptions {
     std::optional<std::string> column{};  ///< a column's name, else its number counted from 1 without the wavelengths
     std::optional<Unit> unit{};           ///< overrides what the file says
+    RegionChoice region{};                ///< the pixels of a cube
 };
 
 /// Reads the one spectrum of a file, or the one that `options.column` names, in any form that `read_spectra` knows;
