@@ -148,7 +148,7 @@ Measurement make_measurement(const Configuration& configuration, const Spectrum&
         .sigma = {},
         .sigma_source = spectrum.sigma.empty()
                             ? fmt::format("{} at every wavelength (setting noise)", configuration.noise)
-                            : "as the file states",
+                            : spectrum.sigma_source,
         .walk = {.incidence_rad = configuration.incidence_deg.value() * rad_per_deg,
                  .rays = configuration.rays,
                  .seed = configuration.seed}};
