@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/region_options.hpp"
 #include "app/shared_options.hpp"
 #include "core/input_error.hpp"
 #include "fit/settings.hpp"
@@ -12,6 +13,7 @@ struct ConvertCommand {
     std::string file;
     std::vector<std::string> columns;
     std::string reader;
+    RegionOptions region;
     std::string unit;
     std::string format;
     std::filesystem::path out;
@@ -25,7 +27,7 @@ std::string format_of(const ConvertCommand& command) {
 /// The spectra chosen, or all of them.
 std::vector<Spectrum> spectra_of(const ConvertCommand& command) {
     const auto reader = command.reader.empty() ? std::nullopt : std::optional(command.reader);
-    ReadOptions options;
+    ReadOptions options{.region = region_from(command.region)};
     if (!command.unit.empty()) options.unit = command.unit == "percent" ? Unit::percent : Unit::fraction;
     if (command.columns.empty()) return read_spectra(command.file, options, reader).spectra;
     std::vector<Spectrum> chosen;
@@ -39,7 +41,7 @@ std::vector<Spectrum> spectra_of(const ConvertCommand& command) {
 int run(const ConvertCommand& command) {
     SharedOptions shared;
     shared.out = command.out;
-    check_output(shared, {command.file});
+    check_output(shared, files_read(command.file, command.region));
     const std::vector<Spectrum> spectra = spectra_of(command);
     write_output(shared, format_of(command) == "json" ? spectra_json(spectra) : spectra_csv(spectra, command.file));
     return trustworthy_result;
@@ -61,6 +63,7 @@ void add_convert_command(CLI::App& app, int& exit_code) {
     convert->add_option("--unit", command->unit, "of the values: fraction or percent; found by a rule otherwise")
         ->check(CLI::IsMember({"fraction", "percent"}));
     add_reader_option(*convert, command->reader);
+    add_region_options(*convert, command->region);
     convert->footer(
         "Numbers are written so that they read back to the last bit. CSV holds spectra of the same wavelengths and "
         "the\n"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/commands.hpp"
+#include "app/region_options.hpp"
 #include "app/shared_options.hpp"
 #include "core/file.hpp"
 #include "core/input_error.hpp"
@@ -21,6 +22,7 @@ struct FitCommand {
     std::vector<std::string> files;
     std::vector<std::string> columns;
     std::string reader;
+    RegionOptions region;
     std::string unit;
     std::vector<std::string> free;
     std::vector<std::string> fix;
@@ -47,6 +49,14 @@ Configuration fit_configuration(const FitCommand& command, const Configuration& 
     return configuration;
 }
 
+std::vector<std::filesystem::path> inputs(const FitCommand& command) {
+    std::vector<std::filesystem::path> all;
+    for (const std::string& file : command.files) {
+        for (const std::filesystem::path& path : files_read(file, command.region)) all.push_back(path);
+    }
+    return all;
+}
+
 /// One per file and column: columns belong to the one file, or to the files in their order, or the one to all files.
 std::vector<Spectrum> read_all(const FitCommand& command, const Configuration& stated) {
     const std::size_t files = command.files.size();
@@ -60,7 +70,7 @@ std::vector<Spectrum> read_all(const FitCommand& command, const Configuration& s
     std::vector<Spectrum> spectra;
     for (std::size_t k = 0; k < std::max(files, columns); ++k) {
         const std::string& file = command.files[files == 1 ? 0 : k];
-        ReadOptions options{.column = stated.column, .unit = stated.unit};
+        ReadOptions options{.column = stated.column, .unit = stated.unit, .region = region_from(command.region)};
         if (columns > 1) options.column = command.columns[k];
         spectra.push_back(
             read_spectrum(file, options, command.reader.empty() ? std::nullopt : std::optional(command.reader)));
@@ -78,14 +88,14 @@ void check_samples(const FitCommand& command, const Configuration& configuration
     }
     SharedOptions samples = command.shared;
     samples.out = command.samples;
-    std::vector<std::filesystem::path> others(command.files.begin(), command.files.end());
+    std::vector<std::filesystem::path> others = inputs(command);
     others.emplace_back(command.shared.out);
     check_output(samples, others);
 }
 
 int run(const FitCommand& command) {
     const Configuration stated = fit_configuration(command, default_configuration());
-    check_output(command.shared, {command.files.begin(), command.files.end()});
+    check_output(command.shared, inputs(command));
     const std::vector<Spectrum> spectra = read_all(command, stated);
     // What the file states holds where the configuration does not state it.
     const Configuration configuration =
@@ -112,8 +122,9 @@ int run(const FitCommand& command) {
 void add_fit_command(CLI::App& app, int& exit_code) {
     const auto command = std::make_shared<FitCommand>();
     CLI::App* const fit = app.add_subcommand("fit", "explain a measured spectrum by skin biology");
-    fit->add_option("FILE", command->files,
-                    "spectrum: text of columns or rows, JCAMP-DX, CGATS (.ti3) or JSON; several are explained together")
+    fit->add_option(
+           "FILE", command->files,
+           "spectrum: text of columns or rows, JCAMP-DX, CGATS (.ti3), JSON or ENVI; several are explained together")
         ->required();
     fit->add_option(
            "--column", command->columns,
@@ -123,6 +134,7 @@ void add_fit_command(CLI::App& app, int& exit_code) {
         ->expected(1)
         ->take_all();
     add_reader_option(*fit, command->reader);
+    add_region_options(*fit, command->region);
     fit->add_option("--unit", command->unit, "of the values: fraction or percent; found by a rule otherwise");
     fit->add_option("--free", command->free, "adjust these parameters too; `skinfit config show` lists their names")
         ->type_name("NAME,NAME")

@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/region_options.hpp"
 #include "app/shared_options.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/gnuplot.hpp"
@@ -12,14 +13,18 @@ struct InspectCommand {
     SharedOptions output;
     std::filesystem::path file;
     std::string reader;
+    RegionOptions region;
     std::string unit;
     std::filesystem::path plot;
     bool strict = false;
 };
 
 ReadOptions read_options(const InspectCommand& command) {
-    if (command.unit.empty()) return {};
-    return {.unit = configured_by_word(default_configuration(), "unit", command.unit, "--unit").unit};
+    ReadOptions options{.region = region_from(command.region)};
+    if (!command.unit.empty()) {
+        options.unit = configured_by_word(default_configuration(), "unit", command.unit, "--unit").unit;
+    }
+    return options;
 }
 
 void check_plot(const InspectCommand& command) {
@@ -27,12 +32,14 @@ void check_plot(const InspectCommand& command) {
     (void)gnuplot_terminal(command.plot, {.width = 1, .height = 1});  // refuses an unknown suffix before the work
     SharedOptions plot = command.output;
     plot.out = command.plot;
-    check_output(plot, {command.file, command.output.out});
+    std::vector<std::filesystem::path> others = files_read(command.file, command.region);
+    others.push_back(command.output.out);
+    check_output(plot, others);
 }
 
 int run(const InspectCommand& command) {
     const ReadOptions options = read_options(command);
-    check_output(command.output, {command.file});
+    check_output(command.output, files_read(command.file, command.region));
     check_plot(command);
     const Inspection inspection = inspected(
         read_spectra(command.file, options, command.reader.empty() ? std::nullopt : std::optional(command.reader)));
@@ -54,6 +61,7 @@ void add_inspect_command(CLI::App& app, int& exit_code) {
         app.add_subcommand("inspect", "show what a measured file holds and what is wrong with its spectra");
     inspect->add_option("FILE", command->file, "spectra, in any form that skinfit reads")->required()->type_name("");
     add_reader_option(*inspect, command->reader);
+    add_region_options(*inspect, command->region);
     inspect->add_option("--unit", command->unit, "of the values: fraction or percent; found by a rule otherwise");
     inspect->add_option("--plot", command->plot, "draw the spectra there, as .svg, .png or .pdf")->type_name("FILE");
     inspect->add_flag("--strict", command->strict, "make warnings errors: exit code 2 where there are any");

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "fit/fit.hpp"
 #include "fit/inference.hpp"
+#include "fit/misfit_description.hpp"
 #include "fit/multistart.hpp"
 
 namespace skinfit {

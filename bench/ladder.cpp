@@ -12,6 +12,7 @@
 #include "fit/bulk.hpp"
 #include "fit/emulation.hpp"
 #include "fit/fit.hpp"
+#include "fit/misfit_description.hpp"
 #include "fit/multistart.hpp"
 #include "fit/uncertainty.hpp"
 

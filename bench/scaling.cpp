@@ -10,7 +10,7 @@
 #include "core/file.hpp"
 #include "fit/bulk.hpp"
 #include "fit/emulation.hpp"
-#include "fit/fit.hpp"
+#include "fit/misfit_description.hpp"
 
 namespace skinfit {
 namespace {

@@ -9,8 +9,9 @@
 #include <numeric>
 
 #include "core/input_error.hpp"
-#include "fit/fit.hpp"
 #include "fit/identifiability.hpp"
+#include "fit/minimum.hpp"
+#include "fit/models.hpp"
 
 namespace skinfit {
 namespace {

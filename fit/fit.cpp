@@ -2,22 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <chrono>
 #include <cmath>
 #include <utility>
 
 #include "fit/diagnosis.hpp"
-#include "fit/emulation.hpp"
 #include "fit/inference.hpp"
+#include "fit/misfit_description.hpp"
+#include "fit/models.hpp"
 #include "fit/multistart.hpp"
 #include "fit/objective.hpp"
 #include "fit/prior_json.hpp"
 #include "fit/problem.hpp"
-#include "fit/runs_test.hpp"
-#include "model/emulator_cache.hpp"
 
 namespace skinfit {
 namespace {
@@ -67,16 +64,6 @@ std::vector<std::string> priors_in_words(const FitProblem& problem) {
     return words;
 }
 
-/// `FitResult::degrees_of_freedom`: the trace of one minus the matrix that maps the data to the fitted data.
-double degrees_of_freedom(const Objective& objective, const Minimum& minimum) {
-    const auto readings = static_cast<Eigen::Index>(objective.reading_count());
-    const auto free = static_cast<Eigen::Index>(objective.free_count());
-    if (objective.residual_count() == objective.reading_count()) return static_cast<double>(readings - free);
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(objective.misfit(minimum.values).jacobian);
-    const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(qr.rows(), free);
-    return static_cast<double>(readings) - q.topRows(readings).squaredNorm();
-}
-
 std::vector<FittedParameter> free_rows(const FitProblem& problem, const Minimum& minimum,
                                        const Uncertainty& uncertainty, const Configuration& configuration) {
     std::vector<FittedParameter> rows;
@@ -111,162 +98,7 @@ std::vector<FittedParameter> fixed_rows(const Configuration& configuration) {
     return rows;
 }
 
-double mean_square(const std::vector<double>& a, const std::vector<double>& b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-    return sum / static_cast<double>(a.size());
-}
-
-/// Of all measurements, in their order; readings and residuals are those of the whole problem.
-std::vector<FittedSpectrum> fitted_spectra(const FitProblem& problem, const Configuration& configuration,
-                                           std::span<const Spectrum> spectra, const Eigen::VectorXd& readings,
-                                           const Eigen::VectorXd& residuals) {
-    std::vector<FittedSpectrum> fitted;
-    Eigen::Index first = 0;
-    for (std::size_t k = 0; k < spectra.size(); ++k) {
-        const Measurement& measurement = problem.measurements[k];
-        const auto count = static_cast<Eigen::Index>(measurement.measured.size());
-        const Eigen::VectorXd modelled = readings.segment(first, count);
-        FittedSpectrum row{.name = spectra[k].name,
-                           .source = spectra[k].source,
-                           .unit_rule = spectra[k].unit_rule,
-                           .sigma_source = measurement.sigma_source,
-                           .configuration = resolved(configuration, spectra[k]),
-                           .chi2 = residuals.segment(first, count).squaredNorm(),
-                           .wavelength_nm = measurement.wavelength_nm,
-                           .measured = measurement.measured,
-                           .sigma = measurement.sigma,
-                           .modelled = {modelled.begin(), modelled.end()}};
-        row.rmse = std::sqrt(mean_square(row.modelled, row.measured));
-        fitted.push_back(std::move(row));
-        first += count;
-    }
-    return fitted;
-}
-
-double root_mean_square(const std::vector<FittedSpectrum>& spectra) {
-    double sum = 0.0;
-    double count = 0.0;
-    for (const FittedSpectrum& spectrum : spectra) {
-        const auto readings = static_cast<double>(spectrum.measured.size());
-        sum += readings * spectrum.rmse * spectrum.rmse;
-        count += readings;
-    }
-    return spectra.size() == 1 ? spectra.front().rmse : std::sqrt(sum / count);
-}
-
-/// `FitResult::runs_p_value` of residuals of all spectra, one after the other.
-std::optional<double> least_runs_p_value(const std::vector<FittedSpectrum>& spectra, const Eigen::VectorXd& residuals) {
-    std::optional<double> least;
-    const double* first = residuals.data();
-    for (const FittedSpectrum& spectrum : spectra) {
-        const std::optional<double> p_value = runs_p_value({first, spectrum.measured.size()});
-        first += spectrum.measured.size();
-        if (p_value) least = std::min(least.value_or(1.0), static_cast<double>(spectra.size()) * *p_value);
-    }
-    return least;
-}
-
-std::optional<double> chi2_p_value(double chi2, double degrees_of_freedom) {
-    if (!(degrees_of_freedom > 0.0)) return std::nullopt;
-    const boost::math::chi_squared_distribution<double> law(degrees_of_freedom);
-    return boost::math::cdf(boost::math::complement(law, chi2));
-}
-
-/// How closely the model explains the spectra at `minimum`, and its own error.
-void describe_misfit(const Objective& objective, const Minimum& minimum, std::span<const Spectrum> spectra,
-                     FitResult& result) {
-    const Objective::Modelled modelled = objective.model(minimum.values);
-    result.spectra = fitted_spectra(objective.problem(), result.configuration, spectra, modelled.reading,
-                                    objective.residuals(modelled.reading));
-    result.rmse = root_mean_square(result.spectra);
-    result.chi2 = minimum.chi2;
-    result.cost = minimum.cost;
-    result.degrees_of_freedom = degrees_of_freedom(objective, minimum);
-    result.p_value = chi2_p_value(result.chi2, result.degrees_of_freedom);
-    if (result.degrees_of_freedom > 0) result.inflation = std::sqrt(result.chi2 / result.degrees_of_freedom);
-    const Eigen::VectorXd unexplained = objective.unexplained(modelled.reading);
-    result.runs_p_value = least_runs_p_value(result.spectra, unexplained);
-    result.unexplained = std::sqrt(unexplained.squaredNorm() / static_cast<double>(unexplained.size()));
-    std::vector<double> sigmas;
-    for (const FittedSpectrum& spectrum : result.spectra) {
-        sigmas.insert(sigmas.end(), spectrum.sigma.begin(), spectrum.sigma.end());
-    }
-    result.median_sigma = median(sigmas);
-    for (const MeasurementModel& model : objective.models()) {
-        if (const auto* const emulator = std::get_if<Emulator>(&model.forward_model())) {
-            result.emulator_error = std::max(result.emulator_error.value_or(0.0), emulator->certified_error());
-        }
-    }
-    if (!result.emulator_error) {
-        result.monte_carlo_error = median({modelled.standard_error.begin(), modelled.standard_error.end()});
-    }
-}
-
 }  // namespace
-
-std::vector<ForwardModel> make_models(const FitProblem& problem, Engine engine, const EnsembleCache& cache) {
-    std::vector<ForwardModel> models;
-    for (std::size_t k = 0; k < problem.measurements.size(); ++k) {
-        const Measurement& measurement = problem.measurements[k];
-        const Experiment& experiment = measurement.experiment;
-        if (engine == Engine::solver) {
-            models.emplace_back(angular_solver(experiment));
-        } else if (engine == Engine::emulator) {
-            models.emplace_back(cached_emulator(emulator_domain(problem, k), cache));
-        } else {
-            models.emplace_back(cached_ensemble(experiment.sample(),
-                                                true_wavelengths_nm(experiment, measurement.bands.wavelength_nm),
-                                                measurement.walk, cache));
-        }
-    }
-    return models;
-}
-
-std::vector<ForwardModel> cheap_models(const FitProblem& problem, const std::vector<ForwardModel>& models) {
-    constexpr std::uint64_t few_rays = 3000;
-    std::vector<ForwardModel> cheap;
-    for (std::size_t k = 0; k < models.size(); ++k) {
-        if (const auto* const ensemble = std::get_if<PathEnsemble>(&models[k])) {
-            cheap.emplace_back(ensemble->with_about(few_rays));
-        } else if (std::holds_alternative<Emulator>(models[k])) {
-            cheap.push_back(models[k]);
-        } else {
-            cheap.emplace_back(
-                angular_solver(problem.measurements[k].experiment, AngularResolution::for_accuracy(1e-3)));
-        }
-    }
-    return cheap;
-}
-
-double median(std::vector<double> values) {
-    if (values.empty()) return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
-
-bool has_own_cost(const FitResult& result) {
-    return !result.priors.empty() || result.configuration.loss != Loss::squares ||
-           !result.configuration.weights.empty();
-}
-
-std::optional<double> largest_difference_in_sigmas(const FitResult& result, const Minimum& other) {
-    std::optional<double> largest;
-    for (std::size_t i = 0; i < result.free.size(); ++i) {
-        const FittedParameter& fitted = result.free[i];
-        if (!fitted.uncertainty.sigma) continue;
-        const double difference = std::abs(other.values[i] - fitted.value) / *fitted.uncertainty.sigma;
-        largest = std::max(largest.value_or(0.0), difference);
-    }
-    return largest;
-}
-
-std::size_t reading_count(const FitResult& result) {
-    std::size_t count = 0;
-    for (const FittedSpectrum& spectrum : result.spectra) count += spectrum.measured.size();
-    return count;
-}
 
 FitResult fit_spectra(const Configuration& configuration, std::span<const Spectrum> spectra,
                       const FitOptions& options) {

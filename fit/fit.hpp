@@ -1,8 +1,6 @@
 #pragma once
 
 #include "fit/configuration.hpp"
-#include "fit/forward_model.hpp"
-#include "fit/problem.hpp"
 #include "fit/result.hpp"
 #include "measurements/quality.hpp"
 #include "measurements/spectrum.hpp"
@@ -25,18 +23,5 @@ struct FitOptions {
 /// The same for one spectrum.
 [[nodiscard]] FitResult fit_spectrum(const Configuration& configuration, const Spectrum& spectrum,
                                      const FitOptions& options);
-
-/// What computes the light of each measurement: walks, recorded now or kept by `cache`, the angular solver, or its
-/// emulator, made now or kept.
-[[nodiscard]] std::vector<ForwardModel> make_models(const FitProblem& problem, Engine engine,
-                                                    const EnsembleCache& cache);
-
-/// Approximations that cost a small part of `models`: a few of the recorded rays, or a coarser grid of angles; the
-/// emulator is cheap itself.
-[[nodiscard]] std::vector<ForwardModel> cheap_models(const FitProblem& problem,
-                                                     const std::vector<ForwardModel>& models);
-
-/// The median of `values`; 0 of none.
-[[nodiscard]] double median(std::vector<double> values);
 
 }  // namespace skinfit

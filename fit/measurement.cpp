@@ -97,10 +97,6 @@ Configuration with_geometry(Configuration configuration, const Geometry& geometr
     return configuration;
 }
 
-std::string stated_sigma(const Spectrum& spectrum) {
-    return spectrum.sigma_source.find("repeats") == std::string::npos ? "as the file states" : spectrum.sigma_source;
-}
-
 /// What the file states is taken where neither the configuration nor its instrument does, and after that the instrument
 /// that the file names, if it is one of ours.
 Configuration with_file(Configuration configuration, const Spectrum& spectrum) {
@@ -194,7 +190,7 @@ Measurement make_measurement(const Configuration& configuration, const Spectrum&
         .sigma = {},
         .sigma_source = spectrum.sigma.empty()
                             ? fmt::format("{} at every wavelength (setting noise)", configuration.noise)
-                            : stated_sigma(spectrum),
+                            : spectrum.sigma_source,
         .walk = {.incidence_rad = configuration.incidence_deg.value() * rad_per_deg,
                  .rays = configuration.rays,
                  .seed = configuration.seed}};

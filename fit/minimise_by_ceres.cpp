@@ -118,7 +118,7 @@ private:
 ceres::Solver::Options solver_options() {
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::DENSE_QR;
-    options.max_num_iterations = 100;
+    options.max_num_iterations = 400;    // curved valleys take hundreds of short steps
     options.function_tolerance = 1e-10;  // of the cost, relative
     options.gradient_tolerance = 1e-12;
     options.parameter_tolerance = 1e-9;  // of the unit box

@@ -93,19 +93,24 @@ std::vector<std::vector<double>> read_numbers(const Columns& columns, std::span<
 
 NumberTable read_number_table(const Columns& columns, std::span<const std::size_t> wanted) {
     const bool decimal_comma = has_decimal_commas(columns, wanted);
-    NumberTable table{.width = wanted.size(), .cells = {}, .holds_words = std::vector<bool>(wanted.size(), true)};
-    table.cells.reserve(wanted.size() * columns.rows.size());
+    NumberTable table{.width = wanted.size(),
+                      .cells = std::vector<double>(wanted.size() * columns.rows.size()),
+                      .holds_words = std::vector<bool>(wanted.size(), true)};
     std::vector<std::optional<Word>> first_word(wanted.size());
     CellCutter cutter(columns.separator);
+    double* next = table.cells.data();
     for (const Row& row : columns.rows) {
         const std::span<const std::string_view> cells = cutter.cut(row.text);
-        for (std::size_t i = 0; i < wanted.size(); ++i) {
+        for (std::size_t i = 0; i < wanted.size(); ++i, ++next) {
             const std::string_view cell = cells[wanted[i]];
             const std::optional<double> number = parse_cell(cell, decimal_comma);
-            const bool usable = number && std::isfinite(*number);
-            table.cells.push_back(usable ? *number : std::numeric_limits<double>::quiet_NaN());
-            if (usable) table.holds_words[i] = false;
-            if (!usable && !first_word[i] && !is_missing(cell)) first_word[i] = Word{.line = row.line, .cell = cell};
+            if (number && std::isfinite(*number)) {
+                *next = *number;
+                if (table.holds_words[i]) table.holds_words[i] = false;
+                continue;
+            }
+            *next = std::numeric_limits<double>::quiet_NaN();
+            if (!first_word[i] && !is_missing(cell)) first_word[i] = Word{.line = row.line, .cell = cell};
         }
     }
     for (std::size_t i = 0; i < wanted.size(); ++i) {

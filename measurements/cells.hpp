@@ -8,6 +8,13 @@
 
 namespace skinfit {
 
+/// What a line looks like once it is cut.
+struct RowShape {
+    std::size_t width;       ///< cells
+    std::size_t filled;      ///< cells up to the last that holds text
+    std::string_view first;  ///< the first cell
+};
+
 /// Cuts lines into cells: at each separator outside double quotes, or at runs of blanks where the separator is a blank.
 /// The cells are trimmed and without quotes around them.
 class CellCutter {
@@ -15,6 +22,8 @@ public:
     explicit CellCutter(char separator) : separator_(separator) {}
     /// The cells of `line`, at least one; valid until the next call.
     [[nodiscard]] std::span<const std::string_view> cut(std::string_view line);
+    /// The same about them without cutting, which is several times as fast.
+    [[nodiscard]] RowShape shape(std::string_view line);
 
 private:
     char separator_;

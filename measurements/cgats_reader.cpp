@@ -13,6 +13,7 @@
 #include "core/text.hpp"
 #include "measurements/cells.hpp"
 #include "measurements/columns.hpp"
+#include "measurements/limits.hpp"
 #include "measurements/readers.hpp"
 #include "measurements/spectrum_building.hpp"
 #include "measurements/words.hpp"
@@ -222,6 +223,7 @@ bool holds_cgats(std::string_view text) {
 }
 
 std::vector<Spectrum> read_cgats(std::string_view text, const std::string& source, const ReadOptions& options) {
+    refuse_large_text(text, source);
     std::vector<Spectrum> spectra;
     for (const Table& table : tables_in(split_comments(text, source), source)) {
         std::ranges::move(spectra_of(table, source, options), std::back_inserter(spectra));

@@ -12,6 +12,7 @@
 #include "measurements/column_choice.hpp"
 #include "measurements/columns.hpp"
 #include "measurements/description.hpp"
+#include "measurements/header.hpp"
 #include "measurements/readers.hpp"
 #include "measurements/spectrum_building.hpp"
 
@@ -108,7 +109,8 @@ std::vector<Spectrum> read_columns(std::string_view text, const std::string& sou
     const std::vector<std::size_t> wanted = wanted_columns(choices);
     const NumberTable table = read_number_table(columns, wanted);
     ColumnStore store(table);
-    const std::vector<double> wavelengths = store.column(0);
+    std::vector<double> wavelengths = store.column(0);
+    for (double& wavelength : wavelengths) wavelength *= nanometres_per_unit(columns);
     if (std::ranges::any_of(wavelengths, [](double nm) { return std::isnan(nm); })) {
         require_numbers(columns, std::array<std::size_t, 1>{0});
     }

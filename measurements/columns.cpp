@@ -46,14 +46,6 @@ char find_separator(const std::vector<Row>& rows) {
                                 "# before a title, and write decimal points, not commas"});
 }
 
-void check_length(std::string_view line, std::size_t number, const std::string& source) {
-    if (line.size() <= longest_line_bytes) return;
-    throw InputError({.where = fmt::format("{}:{}", source, number),
-                      .problem = fmt::format("has {} MiB in one line", line.size() >> 20U),
-                      .why = fmt::format("at most {} are read", longest_line_bytes >> 20U),
-                      .remedy = "check that this is a file of spectra"});
-}
-
 void check_column_count(const Columns& columns) {
     if (columns.width <= most_columns) return;
     throw InputError({.where = at_line(columns, columns.rows.front().line),
@@ -83,15 +75,16 @@ Shape shape_of(std::span<const Row> rows, char separator) {
     Shape shape;
     CellCutter cutter(separator);
     for (const Row& row : rows) {
-        const std::span<const std::string_view> cells = cutter.cut(row.text);
-        if (shape.first_width == 0) shape.first_width = cells.size();
-        shape.same_width = shape.same_width && cells.size() == shape.first_width;
-        shape.widest = std::max(shape.widest, filled_width(cells));
-        if (!shape.word && !is_missing(cells.front()) && !starts_like_a_number(cells.front())) shape.word = row;
+        const RowShape found = cutter.shape(row.text);
+        if (shape.first_width == 0) shape.first_width = found.width;
+        shape.same_width = shape.same_width && found.width == shape.first_width;
+        shape.widest = std::max(shape.widest, found.filled);
+        if (!shape.word && !starts_like_a_number(found.first) && !is_missing(found.first)) shape.word = row;
         if (separator != ',') continue;
         shape.has_points = shape.has_points || row.text.find('.') != std::string_view::npos;
-        const bool has_blanks = row.text.find_first_of(" \t") != std::string_view::npos;
-        if (!shape.two_numbers && has_blanks && std::ranges::any_of(cells, is_two_numbers)) {
+        const bool has_blanks =
+            row.text.find(' ') != std::string_view::npos || row.text.find('\t') != std::string_view::npos;
+        if (!shape.two_numbers && has_blanks && std::ranges::any_of(cutter.cut(row.text), is_two_numbers)) {
             shape.two_numbers = row.line;
         }
     }
@@ -187,7 +180,7 @@ Lines split_comments(std::string_view text, const std::string& source) {
     LineReader reader(text);
     while (const auto line = reader.next()) {
         ++number;
-        check_length(*line, number, source);
+        refuse_long_line(*line, number, source);
         std::size_t size = line->find('#');
         if (size != std::string_view::npos) size = find_unquoted(*line, "#");
         const std::string_view content = line->substr(0, size);

@@ -81,4 +81,14 @@ Header find_header(std::span<const Row> words, std::size_t width, char separator
     return {.lines = names.empty() ? 0U : 1U, .names = std::move(names)};
 }
 
+double nanometres_per_unit(const Columns& columns) {
+    static constexpr std::array<std::string_view, 8> micrometres = {"\u00b5m", "\u03bcm", "(um)",     "[um]",
+                                                                    "_um",     " um",     "micromet", "micron"};
+    if (columns.names.empty()) return 1;
+    const std::string name = lower_case(columns.names.front());
+    const bool stated = std::ranges::any_of(
+        micrometres, [&name](std::string_view word) { return name.find(word) != std::string::npos; });
+    return stated ? 1000 : 1;
+}
+
 }  // namespace skinfit

@@ -229,12 +229,7 @@ bool holds_json(std::string_view text) {
 }
 
 std::vector<Spectrum> read_json(std::string_view text, const std::string& source, const ReadOptions& options) {
-    if (text.size() > largest_json_bytes) {
-        throw InputError({.where = source,
-                          .problem = fmt::format("is JSON of {} MiB", text.size() >> 20U),
-                          .why = fmt::format("at most {} are read", largest_json_bytes >> 20U),
-                          .remedy = "split it, or write it as CSV"});
-    }
+    refuse_large_text(text, source);
     const Json file = parsed_json(text, source, std::string(example));
     const bool ours = file.is_object() && file.contains("spectra");
     const Json& all = ours ? file["spectra"] : file;

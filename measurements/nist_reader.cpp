@@ -92,6 +92,24 @@ private:
     Grid grid_;
 };
 
+/// Each standard uncertainty pooled with those of its neighbours, root mean square: a few repeats cross each other here
+/// and there by chance, which is no certainty.
+std::vector<double> pooled(const std::vector<double>& sigma, const std::vector<double>& wavelength_nm) {
+    constexpr double reach_nm = 50;  // wider than a band of haemoglobin
+    std::vector<double> smooth;
+    for (const double centre_nm : wavelength_nm) {
+        double sum = 0;
+        double count = 0;
+        for (std::size_t i = 0; i < sigma.size(); ++i) {
+            if (std::abs(wavelength_nm[i] - centre_nm) > reach_nm) continue;
+            sum += sigma[i] * sigma[i];
+            ++count;
+        }
+        smooth.push_back(std::sqrt(sum / count));
+    }
+    return smooth;
+}
+
 /// Gives the mean its readings and the uncertainty that follows from them, where all of them have all its wavelengths.
 void take_repeats(Spectrum& mean, const std::vector<Spectrum>& readings) {
     constexpr double decimals_step = 1e-4;  // "4 digits after the decimal", says the file
@@ -100,12 +118,14 @@ void take_repeats(Spectrum& mean, const std::vector<Spectrum>& readings) {
         if (reading.wavelength_nm != mean.wavelength_nm) return;
     }
     for (const Spectrum& reading : readings) mean.repeats.push_back(reading.value);
+    std::vector<double> sigma;
     for (std::size_t i = 0; i < mean.value.size(); ++i) {
         std::vector<double> at_once;
         for (const Spectrum& reading : readings) at_once.push_back(reading.value[i]);
-        mean.sigma.push_back(sigma_of_mean(at_once, decimals_step));
+        sigma.push_back(sigma_of_mean(at_once, decimals_step));
     }
-    mean.sigma_source = fmt::format("from {} repeats", readings.size());
+    mean.sigma = pooled(sigma, mean.wavelength_nm);
+    mean.sigma_source = fmt::format("from {} repeats, pooled over 50 nm to either side", readings.size());
 }
 
 std::optional<Quantity> measurand(const Columns& columns) {

@@ -13,6 +13,7 @@
 #include "measurements/cells.hpp"
 #include "measurements/columns.hpp"
 #include "measurements/description.hpp"
+#include "measurements/limits.hpp"
 #include "measurements/readers.hpp"
 #include "measurements/spectrum_building.hpp"
 #include "measurements/words.hpp"
@@ -45,6 +46,7 @@ struct RowHeader {
 /// speaks of wavelengths makes the numbers names of columns.
 std::optional<RowHeader> row_header(std::string_view line) {
     constexpr std::size_t fewest = 3;
+    if (line.size() > longest_line_bytes) return std::nullopt;
     constexpr std::array marks = {',', ';', '\t'};
     const auto most = std::ranges::max_element(marks, {}, [line](char c) { return std::ranges::count(line, c); });
     const char separator = line.find(*most) == std::string_view::npos ? ' ' : *most;
@@ -83,7 +85,7 @@ std::string_view first_content(std::string_view text) {
 
 /// The values of one row; NaN where one is missing.
 std::vector<double> values_in(std::span<const std::string_view> cells, const RowHeader& header, bool decimal_comma,
-                              const std::string& where) {
+                              const std::string& source, std::size_t line) {
     std::vector<double> values;
     values.reserve(header.wavelength_nm.size());
     for (std::size_t i = 0; i < header.wavelength_nm.size(); ++i) {
@@ -91,7 +93,8 @@ std::vector<double> values_in(std::span<const std::string_view> cells, const Row
         const std::optional<double> number = parse_cell(cell, decimal_comma);
         const bool usable = number && std::isfinite(*number);
         if (!usable && !is_missing(cell)) {
-            refuse_cell(where, fmt::format("the value at {} nm", header.wavelength_nm[i]), cell, decimal_comma);
+            refuse_cell(fmt::format("{}:{}", source, line), fmt::format("the value at {} nm", header.wavelength_nm[i]),
+                        cell, decimal_comma);
         }
         values.push_back(usable ? *number : std::numeric_limits<double>::quiet_NaN());
     }
@@ -149,8 +152,7 @@ std::vector<Spectrum> read_rows(std::string_view text, const std::string& source
         const std::span<const std::string_view> cells = cutter.cut(row.text);
         if (filled_width(cells) == 0) continue;
         check_width(cells, *header, row, source, header_line);
-        const std::vector<double> values =
-            values_in(cells, *header, decimal_comma, fmt::format("{}:{}", source, row.line));
+        const std::vector<double> values = values_in(cells, *header, decimal_comma, source, row.line);
         Spectrum spectrum = spectrum_of(description);
         spectrum.source = source;
         take_labels(spectrum, cells, *header, row.line);

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 
 #include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "core/text.hpp"
+#include "measurements/envi_reader.hpp"
+#include "measurements/limits.hpp"
 #include "measurements/readers.hpp"
 #include "measurements/spectrum_choice.hpp"
 #include "measurements/words.hpp"
@@ -55,10 +58,44 @@ void refuse_zip(std::string_view text, const std::string& source) {
                       .remedy = "unpack it, or export the spreadsheet as CSV in UTF-8"});
 }
 
+/// Text has no pixels to choose.
+void refuse_region(const RegionChoice& region, const std::string& source) {
+    if (!region.mask && !region.rectangle) return;
+    throw InputError({.where = source,
+                      .problem = "is no ENVI cube",
+                      .why = "a mask or rectangle chooses pixels of one",
+                      .remedy = "leave the mask and the rectangle out"});
+}
+
+/// Refuses a file whose first line is too long before all of it is read. JSON may be one line; the rest of the lines is
+/// checked where they are taken apart.
+void refuse_long_first_line(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) return;
+    std::ifstream stream(path, std::ios::binary);
+    std::array<char, std::size_t{1} << 16U> block{};
+    for (std::size_t size = 0; size <= longest_line_bytes; size += block.size()) {
+        stream.read(block.data(), block.size());
+        const std::string_view text(block.data(), static_cast<std::size_t>(stream.gcount()));
+        const bool maybe_json = size == 0 && (trimmed(text).starts_with('{') || trimmed(text).starts_with('['));
+        if (!stream || maybe_json || text.find_first_of("\r\n") != std::string_view::npos) return;
+    }
+    throw InputError({.where = path.string() + ":1",
+                      .problem = fmt::format("has more than {} MiB in one line", longest_line_bytes >> 20U),
+                      .why = "no file of spectra has such lines",
+                      .remedy = "check that this is a file of spectra"});
+}
+
 }  // namespace
+
+std::string read_spectrum_text(const std::filesystem::path& path) {
+    refuse_long_first_line(path);
+    return read_file(path);
+}
 
 std::vector<std::string_view> reader_names() {
     std::vector<std::string_view> names;
+    names.push_back(envi_reader_name);
     for (const Reader& reader : readers) names.push_back(reader.name);
     return names;
 }
@@ -68,6 +105,7 @@ SpectrumFile parse_spectra(std::string_view text, const std::string& source, con
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     refuse_zip(text, source);
+    refuse_region(options.region, source);
     const Reader& reader = find_reader(text, wanted);
     SpectrumFile file{
         .source = source, .format = std::string(reader.name), .spectra = reader.read(text, source, options)};
@@ -85,7 +123,11 @@ SpectrumFile parse_spectra(std::string_view text, const std::string& source, con
 
 SpectrumFile read_spectra(const std::filesystem::path& path, const ReadOptions& options,
                           const std::optional<std::string>& reader) {
-    return parse_spectra(read_file(path), path.string(), options, reader);
+    if (!is_cube(path, reader)) return parse_spectra(read_spectrum_text(path), path.string(), options, reader);
+    SpectrumFile file{
+        .source = path.string(), .format = std::string(envi_reader_name), .spectra = {read_envi(path, options)}};
+    if (options.column) file.spectra = {choose_spectrum(std::move(file.spectra), file.source, *options.column)};
+    return file;
 }
 
 }  // namespace skinfit

@@ -21,6 +21,10 @@ struct SpectrumFile {
 /// The names of the readers, in the order in which they are asked whether they recognise a file.
 [[nodiscard]] std::vector<std::string_view> reader_names();
 
+/// The text of a file of spectra. Throws InputError as `read_file`, and when its first line is longer than any may be,
+/// without reading on.
+[[nodiscard]] std::string read_spectrum_text(const std::filesystem::path& path);
+
 /// Reads every spectrum of a file, or only `options.column`. `reader` overrides the recognition of the format by its
 /// content. Throws InputError for a file that is no file of spectra; values that no spectrum has are no reason.
 [[nodiscard]] SpectrumFile read_spectra(const std::filesystem::path& path, const ReadOptions& options = {},

@@ -9,6 +9,8 @@
 #include "measurements/cell_numbers.hpp"
 #include "measurements/column_choice.hpp"
 #include "measurements/columns.hpp"
+#include "measurements/header.hpp"
+#include "measurements/envi_reader.hpp"
 #include "measurements/spectrum_choice.hpp"
 #include "measurements/spectrum_file.hpp"
 
@@ -37,7 +39,8 @@ Place place_of(const SpectrumFile& file, std::string_view text, const ReadOption
     }
     const Columns columns = split_columns(text, file.source);
     const std::vector<double> wavelengths = read_numbers(columns, std::array<std::size_t, 1>{0}).front();
-    const auto found = std::ranges::find(wavelengths, wavelength_nm);
+    const double scale = nanometres_per_unit(columns);
+    const auto found = std::ranges::find_if(wavelengths, [&](double at) { return at * scale == wavelength_nm; });
     const ColumnChoice choice = choose_column(columns, options.column);
     return {.where = at_line(columns, columns.rows[static_cast<std::size_t>(found - wavelengths.begin())].line),
             .sigma = choice.sigma ? label(columns, *choice.sigma) : "sigma"};
@@ -84,7 +87,10 @@ Spectrum parse_spectrum(std::string_view text, const std::string& source, const 
 
 Spectrum read_spectrum(const std::filesystem::path& path, const ReadOptions& options,
                        const std::optional<std::string>& reader) {
-    return parse_spectrum(read_file(path), path.string(), options, reader);
+    if (!is_cube(path, reader)) return parse_spectrum(read_spectrum_text(path), path.string(), options, reader);
+    SpectrumFile file = read_spectra(path, options, reader);
+    check_values(file, {}, options);
+    return std::move(file.spectra.front());
 }
 
 }  // namespace skinfit

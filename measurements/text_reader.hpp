@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "measurements/region_choice.hpp"
 #include "measurements/spectrum.hpp"
 #include "measurements/unit_rule.hpp"
 
@@ -14,24 +15,24 @@ namespace skinfit {
 struct ReadOptions {
     std::optional<std::string> column{};  ///< a column's name, else its number counted from 1 without the wavelengths
     std::optional<Unit> unit{};           ///< overrides what the file says
+    RegionChoice region{};                ///< the pixels of a cube
 };
 
-/// Reads one spectrum from a text file of columns, the first of which is the wavelength in nm.
+/// Reads the one spectrum of a file, or the one that `options.column` names, in any form that `read_spectra` knows;
+/// `reader` overrides the recognition of the form.
 ///
-/// Columns are separated by commas, semicolons, tabs or blanks; lines end with LF, CRLF or CR; text after `#` is a
-/// comment; one header line may name the columns. `split_columns` states how these are told apart, and `read_numbers`
-/// where a comma is a decimal mark. A file with several columns of values needs `options.column`; cells of the columns
-/// that are not chosen are not read. A column called `sigma`, or `<column>_sigma`, is the standard uncertainty of the
-/// values, in their unit. Comments of the form `# key: value` with the keys quantity, unit, incidence_deg, specular and
-/// specimen describe the measurement, as in `measurements/data/`. A column whose name contains "transmittance" or
-/// "reflectance" states its quantity, whatever the comments say.
+/// In columns, the first holds the wavelengths. `split_columns` states the dialects, `read_numbers` where a comma is a
+/// decimal mark; cells of columns that are not chosen are not read. A column called `sigma`, or `<column>_sigma`, is
+/// the standard uncertainty of the values, in their unit. Comments `# key: value` with the keys of `Description`
+/// describe the measurement, as in `measurements/data/`. A column whose name contains "transmittance" or "reflectance"
+/// states its quantity, whatever the comments say. Lines may come in any order.
 ///
-/// Unit: `find_unit`, with the names of the wavelengths' and the chosen column as its header.
+/// Unit: `find_unit`, with the names of the wavelengths' and the chosen column as its header. Missing values are left
+/// out and counted.
 ///
-/// Lines may come in any order. Throws InputError for a file that is missing, empty, binary, holds a word or nothing
-/// where a number is needed or a number that is not finite, repeats a wavelength, has several columns and none chosen,
-/// wavelengths outside [100, 10000] nm, values outside [0, 1.5] once they are fractions, or uncertainties that are not
-/// above 0.
+/// Throws InputError for a file that is missing, empty, binary, holds a word where a number is needed or a number that
+/// is not finite, lacks a wavelength or repeats one, has several spectra and none chosen, wavelengths outside
+/// [100, 10000] nm, values outside [0, 1.5] once they are fractions, or uncertainties that are not above 0.
 [[nodiscard]] Spectrum read_spectrum(const std::filesystem::path& path, const ReadOptions& options = {},
                                      const std::optional<std::string>& reader = {});
 

@@ -1,7 +1,7 @@
 #include "validation/inverse_run.hpp"
 
 #include "core/input_error.hpp"
-#include "fit/fit.hpp"
+#include "fit/models.hpp"
 #include "fit/settings.hpp"
 
 namespace skinfit {

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "core/input_error.hpp"
-#include "fit/fit.hpp"
+#include "fit/models.hpp"
 #include "fit/multistart.hpp"
 
 namespace skinfit {

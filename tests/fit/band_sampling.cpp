@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "fit/fit.hpp"
+#include "fit/models.hpp"
 #include "fit/objective.hpp"
 #include "fit/problem.hpp"
 #include "model/angular_solver.hpp"

@@ -298,16 +298,5 @@ TEST(Assignment, MisuseNamesTheKey) {
     }
 }
 
-TEST(Freedom, IsGivenAndTakenByName) {
-    Configuration configuration = default_configuration();
-    configuration = with_freedom(configuration, "scale, offset", true, "--free");
-    configuration = with_freedom(configuration, "melanosome_fraction", false, "--fix");
-    EXPECT_TRUE(configuration.free[static_cast<std::size_t>(Parameter::scale)]);
-    EXPECT_TRUE(configuration.free[static_cast<std::size_t>(Parameter::offset)]);
-    EXPECT_FALSE(configuration.free[static_cast<std::size_t>(Parameter::melanosome_fraction)]);
-    EXPECT_THROW((void)with_freedom(configuration, "scale,ofset", true, "--free"), InputError);
-    EXPECT_THROW((void)with_freedom(configuration, "", true, "--free"), InputError);
-}
-
 }  // namespace
 }  // namespace skinfit::test

@@ -7,6 +7,7 @@
 #include "core/input_error.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/fit.hpp"
+#include "fit/models.hpp"
 #include "fit/report.hpp"
 #include "tests/fit/synthetic.hpp"
 

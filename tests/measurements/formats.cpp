@@ -25,6 +25,7 @@ const std::vector<Form> forms{
     {"columns", "nm;R\n400,0;0,1\n410,0;0,25\n420,0;0,375\n"},
     {"columns", "Wavelength (nm), Reflectance\n400 0.1\n410 0.25\n420 0.375\n"},
     {"columns", "Instrument: made up\n\nWave;Sample\n[nm];[%]\n400;10\n410;25\n420;37.5\n"},
+    {"columns", "Wavelength (\xC2\xB5m),Reflectance\n0.4,0.1\n0.41,0.25\n0.42,0.375\n"},
     {"columns", "Made up\n>>>>> Begin <<<<<\n400\t0.1\n410\t0.25\n420\t0.375\n"},
     {"rows", "id,400,410,420,430\none,0.1,0.25,0.375,\n"},
     {"rows", "id;site;420 nm;410 nm;400 nm\none;arm;37,5;25;10\n"},
@@ -72,7 +73,7 @@ TEST(Formats, AMissingValueIsLeftOutAndCounted) {
 }
 
 TEST(Formats, RowsKeepTheirOtherLabelsAsNotes) {
-    const Spectrum spectrum = parse_spectra(forms[10].text, "made_up").spectra.front();
+    const Spectrum spectrum = parse_spectra(forms[11].text, "made_up").spectra.front();
     EXPECT_EQ(spectrum.name, "one");
     EXPECT_EQ(spectrum.line, 2U);
     ASSERT_EQ(spectrum.notes.size(), 1U);
@@ -83,7 +84,8 @@ TEST(Formats, RowsKeepTheirOtherLabelsAsNotes) {
 TEST(Formats, TheUncertaintyOfAMeanComesFromItsRepeats) {
     const SpectrumFile file = parse_spectra(
         "Measurand is reflectance factor,,,,,\n,Subject 7,,,Subject 9,,\nWavelength (nm),R1,R2,Average,R1,R4,Average\n"
-        "400,0.10,0.12,0.11,0.5,0.5,0.5\n403,0.20,0.26,0.23,0.6,0.6,0.6\n",
+        "400,0.10,0.12,0.11,0.5,0.5,0.5\n403,0.20,0.26,0.23,0.6,0.6,0.6\n"
+        "503.5,0.30,0.30,0.30,0.7,0.7,0.7\n",
         "made_up");
     EXPECT_EQ(file.format, "nist_m38597");
     ASSERT_EQ(file.spectra.size(), 6U);
@@ -92,12 +94,15 @@ TEST(Formats, TheUncertaintyOfAMeanComesFromItsRepeats) {
     const Spectrum& mean = file.spectra[2];
     EXPECT_EQ(mean.name, "subject 7 mean");
     EXPECT_EQ(mean.quantity, Quantity::reflectance);
-    EXPECT_EQ(mean.sigma_source, "from 2 repeats");
-    EXPECT_EQ(mean.repeats, (std::vector<Numbers>{{0.10, 0.20}, {0.12, 0.26}}));
+    EXPECT_EQ(mean.sigma_source, "from 2 repeats, pooled over 50 nm to either side");
+    EXPECT_EQ(mean.repeats, (std::vector<Numbers>{{0.10, 0.20, 0.30}, {0.12, 0.26, 0.30}}));
     // Two readings that differ by d: the standard error of their mean is d / 2; rounding adds 1e-4 / sqrt(12).
+    // Neighbours within 50 nm share the mean of their variances, the last stands alone.
     const double rounding = 1e-4 * 1e-4 / 12;
-    EXPECT_DOUBLE_EQ(mean.sigma[0], std::sqrt(0.01 * 0.01 + rounding));
-    EXPECT_DOUBLE_EQ(mean.sigma[1], std::sqrt(0.03 * 0.03 + rounding));
+    const double shared = std::sqrt((0.01 * 0.01 + 0.03 * 0.03) / 2 + rounding);
+    EXPECT_DOUBLE_EQ(mean.sigma[0], shared);
+    EXPECT_DOUBLE_EQ(mean.sigma[1], shared);
+    EXPECT_DOUBLE_EQ(mean.sigma[2], std::sqrt(rounding));
     EXPECT_DOUBLE_EQ(file.spectra[5].sigma[0], std::sqrt(rounding));
     EXPECT_TRUE(file.spectra[0].sigma.empty());
 }

@@ -99,6 +99,7 @@ TEST(TextReaderRefuses, ValuesThatAreNoFractions) {
     expect_refusal({"400,50\n410,-1\n", "a.csv:2", "the value -0.01 at 410 nm is negative"});
     expect_refusal({"400,0.3\n410,2.5\n420,0.4\n", "a.csv:2", "the value 2.5 at 410 nm exceeds 1.5"});
     expect_refusal({"400,50\n410,151\n", "a.csv:2", "the value 1.51 at 410 nm exceeds 1.5"});
+    expect_refusal({"wavelength_um,R\n0.41,0.5\n0.4,-1\n", "a.csv:3", "the value -1 at 400 nm is negative"});
     expect_refusal({"# unit: fraction\n400,1.6\n", "a.csv:2", "taken as fraction: stated by a comment"});
 }
 

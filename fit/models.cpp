@@ -1,0 +1,42 @@
+#include "fit/models.hpp"
+
+#include "fit/emulation.hpp"
+#include "model/emulator_cache.hpp"
+
+namespace skinfit {
+
+std::vector<ForwardModel> make_models(const FitProblem& problem, Engine engine, const EnsembleCache& cache) {
+    std::vector<ForwardModel> models;
+    for (std::size_t k = 0; k < problem.measurements.size(); ++k) {
+        const Measurement& measurement = problem.measurements[k];
+        const Experiment& experiment = measurement.experiment;
+        if (engine == Engine::solver) {
+            models.emplace_back(angular_solver(experiment));
+        } else if (engine == Engine::emulator) {
+            models.emplace_back(cached_emulator(emulator_domain(problem, k), cache));
+        } else {
+            models.emplace_back(cached_ensemble(experiment.sample(),
+                                                true_wavelengths_nm(experiment, measurement.bands.wavelength_nm),
+                                                measurement.walk, cache));
+        }
+    }
+    return models;
+}
+
+std::vector<ForwardModel> cheap_models(const FitProblem& problem, const std::vector<ForwardModel>& models) {
+    constexpr std::uint64_t few_rays = 3000;
+    std::vector<ForwardModel> cheap;
+    for (std::size_t k = 0; k < models.size(); ++k) {
+        if (const auto* const ensemble = std::get_if<PathEnsemble>(&models[k])) {
+            cheap.emplace_back(ensemble->with_about(few_rays));
+        } else if (std::holds_alternative<Emulator>(models[k])) {
+            cheap.push_back(models[k]);
+        } else {
+            cheap.emplace_back(
+                angular_solver(problem.measurements[k].experiment, AngularResolution::for_accuracy(1e-3)));
+        }
+    }
+    return cheap;
+}
+
+}  // namespace skinfit

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "fit/forward_model.hpp"
+#include "fit/problem.hpp"
+#include "model/ensemble_cache.hpp"
+
+namespace skinfit {
+
+/// What computes the light of each measurement: walks, recorded now or kept by `cache`, the angular solver, or its
+/// emulator, made now or kept.
+[[nodiscard]] std::vector<ForwardModel> make_models(const FitProblem& problem, Engine engine,
+                                                    const EnsembleCache& cache);
+
+/// Approximations that cost a small part of `models`: a few of the recorded rays, or a coarser grid of angles; the
+/// emulator is cheap itself.
+[[nodiscard]] std::vector<ForwardModel> cheap_models(const FitProblem& problem,
+                                                     const std::vector<ForwardModel>& models);
+
+}  // namespace skinfit

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace skinfit {
+
+/// What stands behind a key of an ENVI header.
+struct EnviField {
+    std::size_t line;        ///< of the key, counted from 1
+    std::string_view value;  ///< trimmed, without braces; views into the header's text
+};
+
+/// The fields of an ENVI header, before their meaning is read.
+class EnviFields {
+public:
+    /// Throws InputError where the text does not begin with ENVI or a brace is not closed.
+    EnviFields(std::string_view text, const std::string& source);
+
+    /// The field called `key`, in lower case. Throws InputError where it is given twice.
+    [[nodiscard]] std::optional<EnviField> find(std::string_view key) const;
+
+    /// The same for a key without which the data cannot be read.
+    [[nodiscard]] EnviField get(const std::string& key) const;
+
+    /// The field as a whole number from `lowest` to `highest`, written in digits only.
+    [[nodiscard]] std::uint64_t count(const std::string& key, std::uint64_t lowest, std::uint64_t highest) const;
+
+    /// The field as a number, not necessarily finite.
+    [[nodiscard]] std::optional<double> number(const std::string& key) const;
+
+    /// The field as a list of `size` finite numbers; empty where it is not given.
+    [[nodiscard]] std::vector<double> numbers(const std::string& key, std::size_t size) const;
+
+    /// Throws the InputError that the field is not what it must be.
+    [[noreturn]] void refuse(const std::string& key, const EnviField& field, const std::string& why) const;
+
+private:
+    std::string source_;
+    std::multimap<std::string, EnviField, std::less<>> fields_;
+};
+
+}  // namespace skinfit

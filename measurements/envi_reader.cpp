@@ -1,0 +1,81 @@
+#include "measurements/envi_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "measurements/cube_mean.hpp"
+#include "measurements/cube_region.hpp"
+#include "measurements/envi_files.hpp"
+#include "measurements/spectral_cube.hpp"
+#include "measurements/unit_rule.hpp"
+
+namespace skinfit {
+namespace {
+
+/// The widths of the good bands; none where the header does not give all of them.
+std::vector<double> widths_of(const SpectralCube& cube) {
+    if (cube.header().fwhm_nm.empty()) return {};
+    std::vector<double> widths;
+    for (const std::size_t band : cube.bands()) widths.push_back(cube.header().fwhm_nm[band]);
+    return std::ranges::min(widths) > 0 ? widths : std::vector<double>{};
+}
+
+void take_bandpass(Spectrum& spectrum, const std::vector<double>& widths) {
+    if (widths.empty()) return;
+    const double sum = std::accumulate(widths.begin(), widths.end(), 0.0);
+    spectrum.bandpass =
+        Bandpass{.shape = BandpassShape::gaussian, .width_nm = sum / static_cast<double>(widths.size())};
+    const auto [narrowest, widest] = std::ranges::minmax(widths);
+    spectrum.notes.push_back({.line = 0, .key = "fwhm_nm", .value = fmt::format("{} to {}", narrowest, widest)});
+}
+
+std::vector<FileNote> notes_on(const SpectralCube& cube, const RegionChoice& choice, const CubeMean& mean) {
+    const EnviHeader& header = cube.header();
+    std::vector<FileNote> notes;
+    const auto note = [&notes](const std::string& key, const std::string& value) {
+        notes.push_back({.line = 0, .key = key, .value = value});
+    };
+    note("cube", fmt::format("{} x {} pixels, {} of {} bands, {}", cube.samples(), cube.lines(), cube.bands().size(),
+                             header.bands, interleave_names[static_cast<std::size_t>(header.interleave)]));
+    note("pixels", fmt::to_string(mean.pixels));
+    if (mean.left_out > 0) note("pixels_left_out", fmt::format("{} with missing numbers", mean.left_out));
+    if (choice.mask) note("mask", choice.mask->string());
+    if (const std::optional<Rectangle>& r = choice.rectangle) {
+        note("rectangle", fmt::format("{},{},{},{}", r->first_sample, r->first_line, r->samples, r->lines));
+    }
+    note("wavelength_unit", header.wavelength_rule);
+    return notes;
+}
+
+}  // namespace
+
+bool is_cube(const std::filesystem::path& path, const std::optional<std::string>& reader) {
+    return reader ? *reader == envi_reader_name : find_envi_header(path).has_value();
+}
+
+Spectrum read_envi(const std::filesystem::path& path, const ReadOptions& options) {
+    const SpectralCube cube(path, options.unit);
+    const CubeMean mean = mean_spectrum(cube, CubeRegion(options.region, cube));
+
+    Spectrum spectrum;
+    spectrum.name = cube.files().header.stem().string();
+    spectrum.source = cube.files().data.string();
+    spectrum.instrument = cube.header().sensor_type;
+    spectrum.notes = notes_on(cube, options.region, mean);
+    take_bandpass(spectrum, widths_of(cube));
+    if (!mean.sigma.empty()) spectrum.sigma_source = fmt::format("from the scatter of {} pixels", mean.pixels);
+
+    const bool stated = options.unit || cube.header().reflectance_scale_factor;
+    const UnitFinding found = stated ? UnitFinding{.unit = Unit::fraction, .rule = cube.unit_rule()}
+                                     : find_unit({.option = {}, .comment = {}, .header = {}}, mean.value);
+    const double one = found.unit == Unit::percent ? 100 : 1;
+    spectrum.unit_rule = found.rule;
+    spectrum.wavelength_nm = cube.wavelength_nm();
+    for (const double value : mean.value) spectrum.value.push_back(value / one);
+    for (const double sigma : mean.sigma) spectrum.sigma.push_back(sigma / one);
+    return spectrum;
+}
+
+}  // namespace skinfit

@@ -1,0 +1,156 @@
+#include "measurements/spectral_cube.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "core/input_error.hpp"
+
+namespace skinfit {
+namespace {
+
+/// The number that stands for no measurement, as it reads when stored in the data's type.
+double stored_ignore_value(const EnviHeader& header) {
+    const double stated = header.data_ignore_value.value_or(std::numeric_limits<double>::quiet_NaN());
+    return header.data_type.kind == NumberKind::float32 ? static_cast<double>(static_cast<float>(stated)) : stated;
+}
+
+/// Where the numbers of one pixel and one band lie among those read for some lines.
+struct Strides {
+    std::size_t line;
+    std::size_t sample;
+    std::size_t band;
+};
+
+Strides strides(const EnviHeader& header, std::size_t lines) {
+    switch (header.interleave) {
+        case Interleave::bsq:
+            return {.line = header.samples, .sample = 1, .band = lines * header.samples};
+        case Interleave::bil:
+            return {.line = header.samples * header.bands, .sample = 1, .band = header.samples};
+        case Interleave::bip:
+            return {.line = header.samples * header.bands, .sample = header.bands, .band = 1};
+    }
+    assert(false);
+    return {};
+}
+
+/// The numbers of some lines, in the order of the file; for bsq those lines of every band.
+std::vector<double> read_numbers(const Raster& raster, const EnviHeader& header, std::size_t first, std::size_t count) {
+    if (header.interleave == Interleave::bip) return raster.read_rows(first, count);
+    if (header.interleave == Interleave::bil) return raster.read_rows(first * header.bands, count * header.bands);
+    std::vector<double> numbers;
+    numbers.reserve(count * header.samples * header.bands);
+    for (std::size_t band = 0; band < header.bands; ++band) {
+        const std::vector<double> part = raster.read_rows(band * header.lines + first, count);
+        numbers.insert(numbers.end(), part.begin(), part.end());
+    }
+    return numbers;
+}
+
+void check_wavelengths(const EnviHeader& header, const std::vector<std::size_t>& bands) {
+    constexpr double shortest_nm = 100;
+    constexpr double longest_nm = 10000;
+    for (const std::size_t band : bands) {
+        const double wavelength = header.wavelength_nm[band];
+        if (wavelength >= shortest_nm && wavelength <= longest_nm) continue;
+        throw InputError({.where = header.source,
+                          .problem = fmt::format("the wavelength of band {} is {} nm", band + 1, wavelength),
+                          .why = fmt::format("it must lie between {} and {} nm", shortest_nm, longest_nm),
+                          .remedy = "correct 'wavelength' or 'wavelength units', or mark the band as bad in 'bbl'"});
+    }
+    const auto twin =
+        std::ranges::adjacent_find(bands, {}, [&](std::size_t band) { return header.wavelength_nm[band]; });
+    if (twin == bands.end()) return;
+    throw InputError({.where = header.source,
+                      .problem = fmt::format("bands {} and {} are both at {} nm", twin[0] + 1, twin[1] + 1,
+                                             header.wavelength_nm[*twin]),
+                      .why = "a spectrum has one value at each wavelength",
+                      .remedy = "mark one of them as bad in 'bbl'"});
+}
+
+/// The good bands by ascending wavelength.
+std::vector<std::size_t> choose_bands(const EnviHeader& header) {
+    if (header.wavelength_nm.empty()) {
+        throw InputError({.where = header.source,
+                          .problem = "has no 'wavelength'",
+                          .why = "without wavelengths the bands are no spectra",
+                          .remedy = "add 'wavelength = {...}' with one number per band"});
+    }
+    std::vector<std::size_t> bands;
+    for (std::size_t band = 0; band < header.bands; ++band) {
+        if (header.good[band]) bands.push_back(band);
+    }
+    if (bands.empty()) {
+        throw InputError({.where = header.source,
+                          .problem = "'bbl' marks every band as bad",
+                          .why = "nothing is left to read",
+                          .remedy = "set 1 for the good bands"});
+    }
+    std::ranges::stable_sort(bands, {}, [&](std::size_t band) { return header.wavelength_nm[band]; });
+    check_wavelengths(header, bands);
+    return bands;
+}
+
+CubeScale choose_scale(const EnviHeader& header, std::optional<Unit> unit) {
+    constexpr double percent = 100;
+    if (unit == Unit::percent) return {.one = percent, .rule = "percent: stated by the option"};
+    if (unit == Unit::fraction) return {.one = 1, .rule = "fraction: stated by the option"};
+    if (header.reflectance_scale_factor) {
+        const double one = *header.reflectance_scale_factor;
+        return {.one = one, .rule = fmt::format("fraction: after division by the header's scale factor {}", one)};
+    }
+    if (!header.data_type.whole()) return {.one = 1, .rule = "fraction: the header has no scale factor"};
+    throw InputError({.where = header.source,
+                      .problem = "has no 'reflectance scale factor'",
+                      .why = "its data are whole numbers, and which of them stands for 1 is not known",
+                      .remedy = "add 'reflectance scale factor = 10000', or whichever number stands for 1"});
+}
+
+}  // namespace
+
+SpectralCube::SpectralCube(const std::filesystem::path& path, std::optional<Unit> unit)
+    : files_(find_envi_files(path)),
+      header_(read_envi_header(files_)),
+      bands_(choose_bands(header_)),
+      scale_(choose_scale(header_, unit)),
+      ignored_(stored_ignore_value(header_)),
+      numbers_(open_envi_data(files_, header_)) {
+    for (const std::size_t band : bands_) wavelength_nm_.push_back(header_.wavelength_nm[band]);
+}
+
+std::size_t SpectralCube::lines_at_once() const {
+    constexpr std::size_t bytes = std::size_t{24} << 20U;
+    return std::clamp<std::size_t>(bytes / (sizeof(double) * samples() * header_.bands), 1, lines());
+}
+
+std::vector<double> SpectralCube::read_lines(std::size_t first, std::size_t count) const {
+    assert(first + count <= lines());
+    const std::vector<double> numbers = read_numbers(numbers_, header_, first, count);
+    const Strides stride = strides(header_, count);
+    std::vector<double> fractions(count * samples() * bands_.size());
+    const auto fraction = [this](double number) {
+        return number == ignored_ || !std::isfinite(number) ? std::numeric_limits<double>::quiet_NaN()
+                                                            : number / scale_.one;
+    };
+    // Block by block: where a pixel's bands lie far apart, both the numbers and the fractions stay in the cache.
+    constexpr std::size_t block = 16;
+    for (std::size_t line = 0; line < count; ++line) {
+        for (std::size_t start = 0; start < samples(); start += block) {
+            const std::size_t end = std::min(start + block, samples());
+            for (std::size_t i = 0; i < bands_.size(); ++i) {
+                const double* const from = &numbers[line * stride.line + bands_[i] * stride.band];
+                double* const to = &fractions[line * samples() * bands_.size() + i];
+                for (std::size_t sample = start; sample < end; ++sample) {
+                    to[sample * bands_.size()] = fraction(from[sample * stride.sample]);
+                }
+            }
+        }
+    }
+    return fractions;
+}
+
+}  // namespace skinfit

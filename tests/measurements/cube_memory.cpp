@@ -1,0 +1,37 @@
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include "measurements/cube_mean.hpp"
+#include "tests/measurements/made_cube.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace skinfit {
+namespace {
+
+class CubeMemory : public test::TemporaryFolder, public testing::WithParamInterface<std::string> {};
+
+TEST_P(CubeMemory, StaysBelow300MegabytesForACubeOfOneGigabyte) {
+    test::MadeCube made{.samples = 1000, .lines = 1000, .bands = 125, .interleave = GetParam(), .data_type = 5};
+    made.more = "wavelength = {";
+    for (std::size_t band = 0; band < made.bands; ++band) made.more += std::to_string(400 + band) + ", ";
+    made.more += "}\n";
+    test::write_text(in_folder("cube.hdr"), test::header_text(made));
+    test::write_text(in_folder("cube.dat"), "");
+    std::filesystem::resize_file(in_folder("cube.dat"), 1'000'000'000);  // a hole: no disk is used
+
+    const SpectralCube cube(in_folder("cube.hdr"));
+    const CubeMean mean = mean_spectrum(cube, CubeRegion({}, cube));
+    EXPECT_EQ(mean.pixels, 1'000'000U);
+    EXPECT_EQ(mean.value, std::vector<double>(125, 0.0));
+    struct rusage used {};
+    ASSERT_EQ(::getrusage(RUSAGE_SELF, &used), 0);
+    const long kibibytes = used.ru_maxrss;
+    EXPECT_LT(kibibytes, 300'000'000 / 1024);
+    RecordProperty("kibibytes", std::to_string(kibibytes));
+}
+
+INSTANTIATE_TEST_SUITE_P(Interleaves, CubeMemory, testing::Values("bsq", "bil", "bip"),
+                         [](const auto& interleave) { return interleave.param; });
+
+}  // namespace
+}  // namespace skinfit
