@@ -9,8 +9,8 @@
 #include "measurements/cell_numbers.hpp"
 #include "measurements/column_choice.hpp"
 #include "measurements/columns.hpp"
-#include "measurements/header.hpp"
 #include "measurements/envi_reader.hpp"
+#include "measurements/header.hpp"
 #include "measurements/spectrum_choice.hpp"
 #include "measurements/spectrum_file.hpp"
 
