@@ -1,6 +1,3 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include "app/commands.hpp"
 #include "app/region_options.hpp"
 #include "app/shared_options.hpp"
@@ -63,11 +60,7 @@ void add_inspect_command(CLI::App& app, int& exit_code) {
     CLI::App* const inspect =
         app.add_subcommand("inspect", "show what a measured file holds and what is wrong with its spectra");
     inspect->add_option("FILE", command->file, "spectra, in any form that skinfit reads")->required()->type_name("");
-    inspect
-        ->add_option(
-            "--reader", command->reader,
-            fmt::format("read the file as {}; found by its content otherwise", fmt::join(reader_names(), ", ")))
-        ->type_name("NAME");
+    add_reader_option(*inspect, command->reader);
     add_region_options(*inspect, command->region);
     inspect->add_option("--unit", command->unit, "of the values: fraction or percent; found by a rule otherwise");
     inspect->add_option("--plot", command->plot, "draw the spectra there, as .svg, .png or .pdf")->type_name("FILE");

@@ -30,10 +30,11 @@ Configuration simulate_configuration(const SimulateCommand& command) {
     return configuration;
 }
 
-std::vector<Reading> readings(const Configuration& configuration, const EnsembleCache& cache) {
+/// At single wavelengths.
+std::vector<Reading> modelled_readings(const Configuration& configuration, const std::vector<double>& wavelengths_nm,
+                                       const EnsembleCache& cache) {
     check_viewing_cone(resolved(configuration, Spectrum{}));
     const Experiment experiment = make_experiment(configuration, {});
-    const std::vector<double> wavelengths_nm = parse_wavelengths(configuration.wavelengths, "wavelengths");
     const std::vector<double> true_nm = true_wavelengths_nm(experiment, wavelengths_nm);
     (void)extinctions(true_nm, experiment.edition);  // refuses wavelengths outside the tables before any work
     if (configuration.engine == Engine::solver) return read_by_solver(experiment, wavelengths_nm);
@@ -55,6 +56,12 @@ std::vector<Reading> readings(const Configuration& configuration, const Ensemble
             experiment.sample(), true_nm,
             {.incidence_rad = experiment.incidence_rad, .rays = configuration.rays, .seed = configuration.seed},
             cache));
+}
+
+std::vector<Reading> readings(const Configuration& configuration, const EnsembleCache& cache) {
+    const std::vector<double> centres_nm = parse_wavelengths(configuration.wavelengths, "wavelengths");
+    const BandSampling bands = sample_bands(centres_nm, bandpass_of(resolved(configuration, Spectrum{})));
+    return readings_in_bands(modelled_readings(configuration, bands.wavelength_nm, cache), bands, centres_nm);
 }
 
 int run(const SimulateCommand& command) {

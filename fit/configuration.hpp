@@ -99,6 +99,9 @@ struct Configuration {
     std::optional<double> incidence_deg;
     std::optional<Specular> specular;
     std::optional<double> viewing_cone_deg;  ///< half angle about the normal; unset: the hemisphere is collected
+    std::optional<std::string> instrument;   ///< a name or a file: see `find_instrument`
+    std::optional<BandpassShape> bandpass_shape;
+    std::optional<double> bandpass_width_nm;  ///< full width at half maximum; 0: none
     std::optional<Quantity> quantity;
     std::optional<std::string> column;  ///< of the measured file
     std::optional<Unit> unit;           ///< of the measured file

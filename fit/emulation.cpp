@@ -13,11 +13,12 @@ bool belongs_to_instrument(Parameter parameter) {
 
 EmulatorDomain emulator_domain(const FitProblem& problem, std::size_t number) {
     const Measurement& measurement = problem.measurements[number];
-    EmulatorDomain domain{.sample = measurement.experiment.sample(),
-                          .incidence_rad = measurement.experiment.incidence_rad,
-                          .side = measured_side(measurement.quantity),
-                          .wavelengths_nm = true_wavelengths_nm(measurement.experiment, measurement.wavelength_nm),
-                          .ranges = {}};
+    EmulatorDomain domain{
+        .sample = measurement.experiment.sample(),
+        .incidence_rad = measurement.experiment.incidence_rad,
+        .side = measured_side(measurement.quantity),
+        .wavelengths_nm = true_wavelengths_nm(measurement.experiment, measurement.bands.wavelength_nm),
+        .ranges = {}};
     for (const FreeParameter& free : problem.free) {
         if (belongs_to_instrument(free.parameter) || !free.belongs_to(number)) continue;
         domain.ranges.push_back({free.parameter, free.bounds.lower, free.bounds.upper});

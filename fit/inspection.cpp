@@ -17,6 +17,15 @@ std::optional<Value> shared(const std::vector<Spectrum>& spectra, Member member)
     return same ? first : std::nullopt;
 }
 
+std::optional<Bandpass> shared_bandpass(const std::vector<Spectrum>& spectra) {
+    const std::optional<Bandpass>& first = spectra.front().bandpass;
+    const bool same = std::ranges::all_of(spectra, [&](const Spectrum& each) {
+        return first && each.bandpass && each.bandpass->shape == first->shape &&
+               each.bandpass->width_nm == first->width_nm;
+    });
+    return same ? first : std::nullopt;
+}
+
 /// The texts that `member` is in some spectrum, each once, in order.
 template <class Member>
 std::string all_texts(const std::vector<Spectrum>& spectra, Member member) {
@@ -85,6 +94,9 @@ Inspection inspected(SpectrumFile file) {
                      .specular = shared<Specular>(spectra, [](const Spectrum& each) { return each.geometry.specular; }),
                      .viewing_cone_deg =
                          shared<double>(spectra, [](const Spectrum& each) { return each.geometry.viewing_cone_deg; })},
+        .instrument = all_texts(spectra, &Spectrum::instrument),
+        .aperture_mm = shared<double>(spectra, [](const Spectrum& each) { return each.aperture_mm; }),
+        .bandpass = shared_bandpass(spectra),
         .findings = findings_in(spectra)};
     for (const Spectrum& spectrum : spectra) {
         inspection.first_nm = std::min(inspection.first_nm, spectrum.wavelength_nm.front());

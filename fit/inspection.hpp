@@ -26,6 +26,9 @@ struct Inspection {
     std::string sigma_source;
     std::optional<Quantity> quantity;
     Geometry geometry;
+    std::string instrument;  ///< all that are named
+    std::optional<double> aperture_mm;
+    std::optional<Bandpass> bandpass;
     std::vector<Finding> findings;
 };
 

@@ -35,6 +35,15 @@ Json word_or_null(const std::optional<Name>& value, const Names& names) {
     return value ? Json(names.at(static_cast<std::size_t>(*value))) : Json();
 }
 
+std::string_view shape_name(const Bandpass& bandpass) {
+    return bandpass_shape_names.at(static_cast<std::size_t>(bandpass.shape));
+}
+
+Json bandpass_json(const std::optional<Bandpass>& bandpass) {
+    if (!bandpass) return {};
+    return {{"shape", shape_name(*bandpass)}, {"width_nm", bandpass->width_nm}};
+}
+
 Json geometry_json(const Geometry& geometry) {
     return {{"incidence_deg", or_null(geometry.incidence_deg)},
             {"specular", word_or_null(geometry.specular, specular_names)},
@@ -50,6 +59,12 @@ std::string geometry_text(const Inspection& inspection) {
         parts.push_back(fmt::format("specular {}", specular_names.at(static_cast<std::size_t>(*geometry.specular))));
     }
     if (geometry.viewing_cone_deg) parts.push_back(fmt::format("viewing cone {:g} deg", *geometry.viewing_cone_deg));
+    if (inspection.bandpass) {
+        parts.push_back(
+            fmt::format("bandpass {} {:g} nm", shape_name(*inspection.bandpass), inspection.bandpass->width_nm));
+    }
+    if (inspection.aperture_mm) parts.push_back(fmt::format("aperture {:g} mm", *inspection.aperture_mm));
+    if (!inspection.instrument.empty()) parts.push_back(inspection.instrument);
     return parts.empty()
                ? fmt::format("not stated; a fit takes reflectance, incidence {:g} deg, specular {}",
                              default_incidence_deg, specular_names.at(static_cast<std::size_t>(default_specular)))
@@ -131,6 +146,9 @@ Json inspection_json(const Inspection& inspection) {
             {"sigma_source", inspection.sigma_source.empty() ? Json() : Json(inspection.sigma_source)},
             {"quantity", word_or_null(inspection.quantity, quantity_names)},
             {"geometry", geometry_json(inspection.geometry)},
+            {"instrument", inspection.instrument.empty() ? Json() : Json(inspection.instrument)},
+            {"aperture_mm", or_null(inspection.aperture_mm)},
+            {"bandpass", bandpass_json(inspection.bandpass)},
             {"findings", findings_json(inspection.findings)},
             {"version", version}};
 }

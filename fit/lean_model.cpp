@@ -34,7 +34,7 @@ using Index = Eigen::Index;
 LeanModel::LeanModel(const FitProblem& problem, Emulator emulator)
     : problem_(&problem),
       emulator_(std::move(emulator)),
-      pigments_(model_wavelengths(problem.only().experiment, problem.only().wavelength_nm).pigments) {
+      pigments_(model_wavelengths(problem.only().experiment, problem.only().bands.wavelength_nm).pigments) {
     require_plain_squares(problem);
 }
 
@@ -58,7 +58,7 @@ LeanModel::Modelled LeanModel::at(std::span<const double> positions) const {
     for (std::size_t i = 0; i < shares.size(); ++i) {
         const auto row = static_cast<Index>(i);
         const double light = shares[i].share + surface;
-        modelled.reading[row] = (instrument.scale * light + instrument.offset) / measurement.sigma[i];
+        modelled.reading[row] = instrument.scale * light + instrument.offset;
         for (std::size_t j = 0; j < values.size(); ++j) {
             const FreeParameter& free = problem_->free[j];
             double by = 0.0;
@@ -79,9 +79,14 @@ LeanModel::Modelled LeanModel::at(std::span<const double> positions) const {
                     }
                 }
             }
-            modelled.jacobian(row, static_cast<Index>(j)) = by * slopes[j] / measurement.sigma[i];
+            modelled.jacobian(row, static_cast<Index>(j)) = by * slopes[j];
         }
     }
+    modelled.reading = measurement.bands.readings(std::move(modelled.reading));
+    modelled.jacobian = measurement.bands.readings(std::move(modelled.jacobian));
+    const Eigen::Map<const Eigen::VectorXd> sigma(measurement.sigma.data(), modelled.reading.size());
+    modelled.reading.array() /= sigma.array();
+    modelled.jacobian.array().colwise() /= sigma.array();
     return modelled;
 }
 

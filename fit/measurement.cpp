@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/input_error.hpp"
+#include "fit/named_instrument.hpp"
 #include "fit/viewing.hpp"
 #include "model/constants.hpp"
 
@@ -85,6 +87,7 @@ void check_wavelengths(const Configuration& configuration, const Spectrum& spect
 }
 
 Configuration with_geometry(Configuration configuration, const Geometry& geometry) {
+    configuration = with_instrument(std::move(configuration));
     if (!configuration.viewing_cone_deg) configuration.viewing_cone_deg = geometry.viewing_cone_deg;
     const bool cone = configuration.viewing_cone_deg.has_value();
     configuration.incidence_deg = configuration.incidence_deg.value_or(
@@ -92,6 +95,37 @@ Configuration with_geometry(Configuration configuration, const Geometry& geometr
     configuration.specular = configuration.specular.value_or(
         geometry.specular.value_or(cone ? default_specular_with_cone : default_specular));
     return configuration;
+}
+
+/// What the file states is taken where neither the configuration nor its instrument does, and after that the instrument
+/// that the file names, if it is one of ours.
+Configuration with_file(Configuration configuration, const Spectrum& spectrum) {
+    configuration = with_instrument(std::move(configuration));
+    const Geometry& geometry = spectrum.geometry;
+    if (!configuration.incidence_deg) configuration.incidence_deg = geometry.incidence_deg;
+    if (!configuration.specular) configuration.specular = geometry.specular;
+    if (!configuration.viewing_cone_deg) configuration.viewing_cone_deg = geometry.viewing_cone_deg;
+    if (spectrum.bandpass) {
+        if (!configuration.bandpass_shape) configuration.bandpass_shape = spectrum.bandpass->shape;
+        if (!configuration.bandpass_width_nm) configuration.bandpass_width_nm = spectrum.bandpass->width_nm;
+    }
+    const std::vector<std::string> names = instrument_names();
+    if (configuration.instrument || std::ranges::find(names, spectrum.instrument) == names.end()) return configuration;
+    configuration.instrument = spectrum.instrument;
+    return with_instrument(std::move(configuration));
+}
+
+/// The bands of the readings must not lead the model outside the tables.
+void check_bands(const Measurement& measurement) {
+    const WavelengthRange modelled = modelled_wavelengths();
+    const double lowest = measurement.bands.wavelength_nm.front();
+    const double highest = measurement.bands.wavelength_nm.back();
+    if (lowest >= modelled.lowest_nm && highest <= modelled.highest_nm) return;
+    throw InputError(
+        {.where = "bandpass_width_nm",
+         .problem = fmt::format("the bands of the readings reach to {:g} and {:g} nm", lowest, highest),
+         .why = fmt::format("the pigments are tabulated from {} to {} nm", modelled.lowest_nm, modelled.highest_nm),
+         .remedy = "narrow the window of the fit, or the bandpass"});
 }
 
 /// Of the readings at wavelengths that both have.
@@ -130,10 +164,18 @@ Experiment make_experiment(const Configuration& configuration, const Geometry& g
 }
 
 Configuration resolved(Configuration configuration, const Spectrum& spectrum) {
-    configuration = with_geometry(configuration, spectrum.geometry);
+    configuration = with_geometry(with_file(std::move(configuration), spectrum), {});
+    configuration.bandpass_width_nm = configuration.bandpass_width_nm.value_or(0.0);
+    configuration.bandpass_shape = configuration.bandpass_shape.value_or(BandpassShape::triangular);
     configuration.base = resolved_base(configuration);
     configuration.quantity = configuration.quantity.value_or(spectrum.quantity.value_or(default_quantity));
     return configuration;
+}
+
+std::optional<Bandpass> bandpass_of(const Configuration& configuration) {
+    const double width_nm = configuration.bandpass_width_nm.value_or(0.0);
+    if (width_nm == 0.0) return std::nullopt;
+    return Bandpass{.shape = configuration.bandpass_shape.value_or(BandpassShape::triangular), .width_nm = width_nm};
 }
 
 Measurement make_measurement(const Configuration& configuration, const Spectrum& spectrum) {
@@ -153,6 +195,8 @@ Measurement make_measurement(const Configuration& configuration, const Spectrum&
                  .rays = configuration.rays,
                  .seed = configuration.seed}};
     take_data(measurement, configuration, spectrum);
+    measurement.bands = sample_bands(measurement.wavelength_nm, bandpass_of(configuration));
+    check_bands(measurement);
     return measurement;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "fit/band_sampling.hpp"
 #include "fit/configuration.hpp"
 #include "measurements/spectrum.hpp"
 #include "model/spectrophotometer.hpp"
@@ -21,6 +23,7 @@ struct Measurement {
     std::string sigma_source;           ///< in words
     WalkOptions walk;
     std::vector<double> weight{};  ///< of each squared residual; empty: 1
+    BandSampling bands{};          ///< of the wavelengths
 };
 
 /// The experiment that `configuration` describes; `geometry` fills in what it leaves open.
@@ -28,6 +31,9 @@ struct Measurement {
 
 /// `configuration` with everything filled in that the spectrum or the defaults decide.
 [[nodiscard]] Configuration resolved(Configuration configuration, const Spectrum& spectrum);
+
+/// The bandpass of a resolved configuration; none where it has no width.
+[[nodiscard]] std::optional<Bandpass> bandpass_of(const Configuration& resolved_configuration);
 
 /// `spectrum` as the fit takes it. Throws InputError for no wavelengths in the window or outside the tables, and for a
 /// constant spectrum.

@@ -13,7 +13,7 @@ MeasurementModel::MeasurementModel(const FitProblem& problem, std::size_t number
     : problem_(&problem),
       number_(number),
       model_(std::move(model)),
-      wavelengths_(model_wavelengths(measurement().experiment, measurement().wavelength_nm)) {
+      wavelengths_(model_wavelengths(measurement().experiment, measurement().bands.wavelength_nm)) {
     for (std::size_t i = 0; i < problem.free.size(); ++i) {
         const FreeParameter& free = problem.free[i];
         if (!free.belongs_to(number)) continue;
@@ -35,16 +35,20 @@ Experiment MeasurementModel::at(std::span<const double> values) const {
 EscapedLight MeasurementModel::light(const Experiment& experiment, std::span<const Parameter> parameters) const {
     const Side side = measured_side(measurement().quantity);
     if (!shifts_) return light_of(model_, experiment, side, wavelengths_, parameters);
-    return light_of(model_, experiment, side, model_wavelengths(experiment, measurement().wavelength_nm), parameters);
+    return light_of(model_, experiment, side, model_wavelengths(experiment, measurement().bands.wavelength_nm),
+                    parameters);
 }
 
 MeasurementModel::Modelled MeasurementModel::model(std::span<const double> values) const {
     const Experiment experiment = at(values);
     const Quantity quantity = measurement().quantity;
     const EscapedLight escaped = light(experiment, parameters_);
-    Modelled modelled{.reading = skinfit::readings(escaped, experiment, quantity),
-                      .jacobian = reading_derivatives(escaped, experiment, quantity, parameters_),
-                      .standard_error = experiment.values.instrument.scale * escaped.standard_error};
+    // Neighbouring wavelengths share their random numbers, so their errors add up as their readings do.
+    const BandSampling& bands = measurement().bands;
+    Modelled modelled{
+        .reading = bands.readings(skinfit::readings(escaped, experiment, quantity)),
+        .jacobian = bands.readings(reading_derivatives(escaped, experiment, quantity, parameters_)),
+        .standard_error = bands.readings(Eigen::VectorXd(experiment.values.instrument.scale * escaped.standard_error))};
     if (columns_.size() == values.size()) return modelled;
     Eigen::MatrixXd all = Eigen::MatrixXd::Zero(modelled.jacobian.rows(), static_cast<Index>(values.size()));
     all(Eigen::all, columns_) = modelled.jacobian;
@@ -54,7 +58,7 @@ MeasurementModel::Modelled MeasurementModel::model(std::span<const double> value
 
 Eigen::VectorXd MeasurementModel::readings(std::span<const double> values) const {
     const Experiment experiment = at(values);
-    return skinfit::readings(light(experiment, {}), experiment, measurement().quantity);
+    return measurement().bands.readings(skinfit::readings(light(experiment, {}), experiment, measurement().quantity));
 }
 
 Eigen::MatrixXd MeasurementModel::batch_readings(std::span<const double> values) const {
@@ -73,7 +77,7 @@ Eigen::MatrixXd MeasurementModel::batch_readings(std::span<const double> values)
             readings(row, batch) = instrument.scale * (share + surface) + instrument.offset;
         }
     }
-    return readings;
+    return measurement().bands.readings(std::move(readings));
 }
 
 }  // namespace skinfit

@@ -42,7 +42,7 @@ private:
     ForwardModel model_;
     std::vector<Parameter> parameters_;  // free in this measurement
     std::vector<Eigen::Index> columns_;  // theirs among all free parameters
-    ModelWavelengths wavelengths_;       // as long as no wavelength shift is free
+    ModelWavelengths wavelengths_;       // of the bands, as long as no wavelength shift is free
     bool shifts_ = false;
 };
 

@@ -16,7 +16,7 @@ std::vector<ForwardModel> make_models(const FitProblem& problem, Engine engine, 
             models.emplace_back(cached_emulator(emulator_domain(problem, k), cache));
         } else {
             models.emplace_back(cached_ensemble(experiment.sample(),
-                                                true_wavelengths_nm(experiment, measurement.wavelength_nm),
+                                                true_wavelengths_nm(experiment, measurement.bands.wavelength_nm),
                                                 measurement.walk, cache));
         }
     }

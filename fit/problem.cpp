@@ -144,8 +144,8 @@ void check_count(const FitProblem& problem) {
 /// A free shift must not lead the model outside the tables.
 void check_shift(const Measurement& measurement, const FreeParameter& free) {
     const WavelengthRange modelled = modelled_wavelengths();
-    const double lowest = measurement.wavelength_nm.front() + free.bounds.lower;
-    const double highest = measurement.wavelength_nm.back() + free.bounds.upper;
+    const double lowest = measurement.bands.wavelength_nm.front() + free.bounds.lower;
+    const double highest = measurement.bands.wavelength_nm.back() + free.bounds.upper;
     if (lowest > modelled.lowest_nm && highest < modelled.highest_nm) return;
     throw InputError(
         {.where = key(free),

@@ -6,6 +6,7 @@
 #include "core/version.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/inspection.hpp"
+#include "fit/measurement.hpp"
 #include "fit/report.hpp"
 
 namespace skinfit {
@@ -167,10 +168,12 @@ std::string word(const Json& configuration, const char* key) {
 
 std::string instrument_text(const Configuration& configuration) {
     const Json json = to_json(configuration);
+    const std::optional<Bandpass> band = bandpass_of(configuration);
     return fmt::format(
-        "{}, incidence {} deg, specular {}{}", word(json, "quantity"), word(json, "incidence_deg"),
+        "{}, incidence {} deg, specular {}{}{}", word(json, "quantity"), word(json, "incidence_deg"),
         word(json, "specular"),
-        configuration.viewing_cone_deg ? fmt::format(", viewing cone {:g} deg", *configuration.viewing_cone_deg) : "");
+        configuration.viewing_cone_deg ? fmt::format(", viewing cone {:g} deg", *configuration.viewing_cone_deg) : "",
+        band ? fmt::format(", bandpass {} {:g} nm", word(json, "bandpass_shape"), band->width_nm) : "");
 }
 
 std::string model_text(const FitResult& result) {

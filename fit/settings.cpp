@@ -9,6 +9,7 @@
 
 #include "core/input_error.hpp"
 #include "core/text.hpp"
+#include "fit/instrument_settings.hpp"
 #include "fit/problem_settings.hpp"
 
 namespace skinfit {
@@ -260,6 +261,7 @@ std::size_t read_choice(const Json& value, std::span<const std::string_view> nam
 std::span<const Setting> setting_table() {
     static const std::vector<Setting> settings = [] {
         std::vector<Setting> all = general_settings();
+        std::ranges::move(instrument_settings(), std::back_inserter(all));
         std::ranges::move(problem_settings(), std::back_inserter(all));
         return all;
     }();

@@ -30,6 +30,9 @@ struct Range {
     double highest;
 };
 
+/// Full widths at half maximum of bandpasses.
+inline constexpr Range bandpass_width_range_nm{0, 100};
+
 /// Throws InputError: `where`: `value` cannot be used.
 [[noreturn]] void refuse(const std::string& where, const Json& value, const std::string& why,
                          const std::string& remedy);

@@ -26,7 +26,8 @@ std::string parameters_text(const Configuration& configuration) {
 }  // namespace
 
 std::string simulation_csv(const std::vector<Reading>& readings, const Configuration& configuration) {
-    const Json settings = to_json(resolved_for_simulation(configuration));
+    const Configuration complete = resolved_for_simulation(configuration);
+    const Json settings = to_json(complete);
     const auto word = [&settings](const char* key) {
         return settings[key].is_string() ? settings[key].get<std::string>() : settings[key].dump();
     };
@@ -34,8 +35,10 @@ std::string simulation_csv(const std::vector<Reading>& readings, const Configura
     for (const char* key : {"edition", "engine", "rays", "seed", "layers", "base", "incidence_deg", "specular"}) {
         text += fmt::format("# {}: {}\n", key, word(key));
     }
-    if (configuration.viewing_cone_deg)
-        text += fmt::format("# viewing_cone_deg: {}\n", *configuration.viewing_cone_deg);
+    if (complete.viewing_cone_deg) text += fmt::format("# viewing_cone_deg: {}\n", *complete.viewing_cone_deg);
+    if (const std::optional<Bandpass> band = bandpass_of(complete)) {
+        text += fmt::format("# bandpass_shape: {}\n# bandpass_width_nm: {}\n", word("bandpass_shape"), band->width_nm);
+    }
     text += fmt::format("# unit: fraction\n# parameters:{}\n", parameters_text(configuration));
     text += "wavelength_nm,reflectance,reflectance_se,transmittance,transmittance_se,surface_reflectance\n";
     for (const Reading& reading : readings) {

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fit/configuration.hpp"
+
+namespace skinfit {
+
+/// What is known of a kind of instrument; what has no source is unset. Files of `configs/instruments/` give the
+/// sources.
+struct NamedInstrument {
+    std::string description;
+    std::optional<double> incidence_deg{};
+    std::optional<Specular> specular{};
+    std::optional<double> viewing_cone_deg{};
+    std::optional<double> aperture_mm{};  ///< for the record: the model has no edges
+    std::optional<Bandpass> bandpass{};
+    std::optional<double> first_nm{};
+    std::optional<double> last_nm{};
+    std::optional<double> step_nm{};
+    std::optional<double> noise{};  ///< standard uncertainty of a value, fraction
+};
+
+/// The names of the instruments that come with the program.
+[[nodiscard]] std::vector<std::string> instrument_names();
+
+/// The instrument of that name, else the one that the file of that name describes. Throws InputError naming `where`
+/// where there is neither, and naming the file where it is malformed or states something without its source.
+[[nodiscard]] NamedInstrument find_instrument(const std::string& name_or_file, const std::string& where);
+
+/// The same from text; `source` names it in messages.
+[[nodiscard]] NamedInstrument parse_instrument(std::string_view text, const std::string& source);
+
+/// `configuration` with what it leaves unset as its instrument has it; the noise where it is that of the default
+/// configuration.
+[[nodiscard]] Configuration with_instrument(Configuration configuration);
+
+}  // namespace skinfit
