@@ -54,7 +54,7 @@ TEST_F(HostileFiles, ThatAreHuge) {
     put_holes("line.csv", "400,0.5", two_gigabytes);
     expect_message(
         "line.csv",
-        "line.csv:1: has more than 64 MiB in one line (no file of spectra has such lines); check that this is a "
+        "line.csv:1: has more than 16 MiB in one line (no file of spectra has such lines); check that this is a "
         "file of spectra");
     put_holes("large.csv", "400,0.5\n", 3 * two_gigabytes);
     expect_message("large.csv", "large.csv: is too large (at most 2 GiB are read at once); split it");
