@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace skinfit {
 namespace {
@@ -18,8 +19,10 @@ constexpr double enough_draws = 400;  // effective, [VEHTARI21]
 
 void judge_spectrum(const FitResult& result, std::vector<std::string>& reasons) {
     std::string names;
+    std::set<std::string> named;
     for (const Finding& finding : result.findings) {
-        if (finding.severity == Severity::warning) names += (names.empty() ? "" : ", ") + finding.name;
+        if (finding.severity != Severity::warning || !named.insert(finding.name).second) continue;
+        names += (names.empty() ? "" : ", ") + finding.name;
     }
     if (!names.empty()) reasons.push_back(fmt::format("SPECTRUM IN DOUBT: {}; see its findings", names));
 }

@@ -72,7 +72,11 @@ std::vector<Finding> findings_before_fit(const Configuration& configuration, std
                              .specular = complete.specular,
                              .viewing_cone_deg = complete.viewing_cone_deg};
     }
-    return findings_in(as_fitted);
+    std::vector<Finding> findings = findings_in(as_fitted);
+    // Without the dermis a sample has no blood to find.
+    const bool has_dermis = configuration.layers == 4;
+    if (!has_dermis) std::erase_if(findings, [](const Finding& each) { return each.name == "no_haemoglobin"; });
+    return findings;
 }
 
 Inspection inspected(SpectrumFile file) {

@@ -35,7 +35,8 @@ struct Inspection {
 /// The findings on spectra of one set, by the tables of the model.
 [[nodiscard]] std::vector<Finding> findings_in(std::span<const Spectrum> spectra);
 
-/// The findings on spectra that are to be fitted, with quantity and geometry as `configuration` resolves them.
+/// The findings on spectra that are to be fitted, with quantity and geometry as `configuration` resolves them;
+/// haemoglobin is looked for where there are four layers.
 [[nodiscard]] std::vector<Finding> findings_before_fit(const Configuration& configuration,
                                                        std::span<const Spectrum> spectra);
 

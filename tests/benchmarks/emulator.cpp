@@ -37,8 +37,8 @@ BENCHMARK(build_emulator)
 void respond(benchmark::State& state) {
     const FitProblem problem = table_1(Edition::revised);
     const Emulator emulator = Emulator::build(emulator_domain(problem));
-    const std::vector<PerLayer<double>> depths =
-        optical_depths(problem.only().experiment.values.skin, extinctions(problem.only().wavelength_nm, Edition::revised));
+    const std::vector<PerLayer<double>> depths = optical_depths(
+        problem.only().experiment.values.skin, extinctions(problem.only().wavelength_nm, Edition::revised));
     for (auto _ : state) benchmark::DoNotOptimize(emulator.respond(depths));
     state.counters["certified_error"] = emulator.certified_error();
 }
@@ -55,7 +55,8 @@ void bulk(benchmark::State& state) {
         experiment.values.skin.melanosome_fraction = 0.005 + 0.0002 * i;
         experiment.values.skin.papillary_blood_fraction = 0.002 + 0.001 * (i % 50);
         Eigen::Index row = 0;
-        for (const Reading& reading : read_by_emulator(experiment, problem.only().wavelength_nm, emulator, std::nullopt)) {
+        for (const Reading& reading :
+             read_by_emulator(experiment, problem.only().wavelength_nm, emulator, std::nullopt)) {
             spectra(row, i) = reading.reflectance + 0.002 * static_cast<double>((i * 31 + row * 17) % 11 - 5);
             ++row;
         }

@@ -151,13 +151,15 @@ TEST_F(BadInput, Outputs) {
 }
 
 TEST_F(BadInput, CommandLines) {
-    expect_refused({}, "give one of fit, simulate, sensitivity, design, gonio, validate, bench, convert, config");
+    expect_refused({},
+                   "give one of fit, inspect, simulate, sensitivity, design, gonio, validate, bench, convert, config");
     expect_refused({"fitt"}, "did you mean `skinfit fit`?");
     expect_refused({"--sed", "1"}, "unknown option --sed");
     expect_refused({"config"}, "give one of show, schema, check");
     expect_refused({"config", "shw"}, "did you mean `skinfit config show`?");
     expect_refused({"fit"}, "FILE is required");
-    expect_refused({"fit", "good.csv", "other.csv"}, "\"other.csv\" is one word too many");
+    expect_refused({"fit", "good.csv", "other.csv"}, "other.csv: cannot be read");
+    expect_refused({"simulate", "good.csv"}, "\"good.csv\" is one word too many");
     expect_refused({"fit", "good.csv", "--sett", "a=b"}, "did you mean --set?");
     expect_refused({"fit", "good.csv", "--cross_check"}, "did you mean --cross-check?");
     expect_refused({"fit", "good.csv", "--format=xml"}, "this value is not accepted");

@@ -34,7 +34,8 @@ const Arguments quick_fit = {"fit", specimen, "--set", "rays=2000", "--free", "s
 TEST_F(GoodRuns, HelpAndVersion) {
     EXPECT_NE(output_of({"--help"}).find("not a medical device"), std::string::npos);
     EXPECT_EQ(std::ranges::count(output_of({"--version"}), '.'), 2);
-    for (const std::string command : {"fit", "inspect", "simulate", "config"}) EXPECT_NE(output_of({command, "--help"}), "");
+    for (const std::string command : {"fit", "inspect", "simulate", "config"})
+        EXPECT_NE(output_of({command, "--help"}), "");
 }
 
 TEST_F(GoodRuns, ConfigurationsShowCheckAndSchema) {

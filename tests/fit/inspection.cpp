@@ -54,6 +54,22 @@ TEST(TerminalPlots, DrawARisingLineFromCornerToCorner) {
     EXPECT_EQ(std::ranges::count(text, '\n'), 14);
 }
 
+TEST(Inspections, LookForHaemoglobinWhereThereIsADermis) {
+    Spectrum grey;
+    grey.name = "grey";
+    for (int nm = 400; nm <= 700; nm += 10) {
+        grey.wavelength_nm.push_back(nm);
+        grey.value.push_back(0.4 + 1e-4 * nm);
+    }
+    const std::vector<Spectrum> spectra = {grey};
+    Configuration configuration = default_configuration();
+    const std::vector<Finding> of_skin = findings_before_fit(configuration, spectra);
+    ASSERT_EQ(of_skin.size(), 1U);
+    EXPECT_EQ(of_skin[0].name, "no_haemoglobin");
+    configuration.layers = 2;
+    EXPECT_TRUE(findings_before_fit(configuration, spectra).empty());
+}
+
 TEST(Inspections, TellWhatTheSpectraShare) {
     SpectrumFile file = constant_spectra(2);
     file.spectra[0].geometry.incidence_deg = 8;
