@@ -11,6 +11,7 @@
 #include "fit/configuration_json.hpp"
 #include "fit/goniophotometer_output.hpp"
 #include "fit/problem.hpp"
+#include "fit/wavelength_sets.hpp"
 #include "measurements/response.hpp"
 
 namespace skinfit {

@@ -5,6 +5,7 @@
 #include "fit/problem.hpp"
 #include "fit/report.hpp"
 #include "fit/viewing.hpp"
+#include "fit/wavelength_sets.hpp"
 #include "model/emulator_cache.hpp"
 
 namespace skinfit {

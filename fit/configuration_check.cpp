@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/input_error.hpp"
-#include "fit/settings.hpp"
+#include "fit/wavelength_sets.hpp"
 #include "model/chromophores.hpp"
 
 namespace skinfit {

@@ -12,6 +12,7 @@
 #include "fit/identifiability.hpp"
 #include "fit/minimum.hpp"
 #include "fit/models.hpp"
+#include "fit/wavelength_sets.hpp"
 
 namespace skinfit {
 namespace {

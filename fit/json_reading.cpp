@@ -46,4 +46,19 @@ void require_object(const Json& json, const std::string& where, const std::strin
                       .remedy = example});
 }
 
+void require_names(const Json& json, const std::vector<std::string_view>& known, const RequiredNames& required,
+                   const std::string& where) {
+    require_object(json, where, required.example);
+    for (const auto& [key, value] : json.items()) {
+        if (std::ranges::find(known, key) == known.end()) refuse_unknown(where, key, known);
+    }
+    for (const std::string_view name : required.names) {
+        if (json.contains(name)) continue;
+        throw InputError({.where = where,
+                          .problem = fmt::format("no \"{}\"", name),
+                          .why = required.why,
+                          .remedy = required.example});
+    }
+}
+
 }  // namespace skinfit

@@ -17,4 +17,15 @@ namespace skinfit {
 /// Refuses all but objects; `example` as above.
 void require_object(const Json& json, const std::string& where, const std::string& example);
 
+/// What an object must hold, and what to say where it does not.
+struct RequiredNames {
+    std::vector<std::string_view> names;
+    std::string why;      ///< a part is needed
+    std::string example;  ///< where to see one
+};
+
+/// Refuses all but objects whose names are all `known` and among which none that is required is missing.
+void require_names(const Json& json, const std::vector<std::string_view>& known, const RequiredNames& required,
+                   const std::string& where);
+
 }  // namespace skinfit

@@ -39,17 +39,7 @@ const std::vector<std::string_view> keys = {"description",      "incidence_deg",
 
 /// An object with exactly the keys `known`.
 void require_keys(const Json& json, const std::vector<std::string_view>& known, const std::string& where) {
-    require_object(json, where, example);
-    for (const auto& [key, value] : json.items()) {
-        if (std::ranges::find(known, key) == known.end()) refuse_unknown(where, key, known);
-    }
-    for (const std::string_view key : known) {
-        if (json.contains(key)) continue;
-        throw InputError({.where = where,
-                          .problem = fmt::format("no \"{}\"", key),
-                          .why = "an instrument states it, or null where it is not known",
-                          .remedy = example});
-    }
+    require_names(json, known, {known, "an instrument states it, or null where it is not known", example}, where);
 }
 
 /// What is stated needs its source.

@@ -3,6 +3,7 @@
 #include "fit/problem.hpp"
 #include "fit/reading.hpp"
 #include "fit/viewing.hpp"
+#include "fit/wavelength_sets.hpp"
 
 namespace skinfit {
 namespace {

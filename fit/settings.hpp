@@ -44,7 +44,4 @@ inline constexpr Range bandpass_width_range_nm{0, 100};
 [[nodiscard]] std::size_t read_choice(const Json& value, std::span<const std::string_view> names,
                                       const std::string& where);
 
-/// Reads "400:700:20" (first:last:step), a list "400,450,500" or a single number, nm. Throws InputError naming `where`.
-[[nodiscard]] std::vector<double> parse_wavelengths(std::string_view text, const std::string& where);
-
 }  // namespace skinfit

@@ -21,17 +21,7 @@ const std::string example = "configs/figure_5.json of the source tree is an exam
 
 /// An object whose keys are all `known` and among which none of `needed` is missing.
 void check_keys(const Json& json, const Names& known, const Names& needed, const std::string& where) {
-    require_object(json, where, example);
-    for (const auto& [key, value] : json.items()) {
-        if (std::ranges::find(known, key) == known.end()) refuse_unknown(where, key, known);
-    }
-    for (const std::string_view key : needed) {
-        if (json.contains(key)) continue;
-        throw InputError({.where = where,
-                          .problem = fmt::format("no \"{}\"", key),
-                          .why = "a figure cannot do without it",
-                          .remedy = example});
-    }
+    require_names(json, known, {needed, "a figure cannot do without it", example}, where);
 }
 
 std::string read_text(const Json& json, std::string_view key, const std::string& where) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "fit/problem.hpp"
+#include "fit/wavelength_sets.hpp"
 #include "model/spectrophotometer.hpp"
 #include "validation/angular_claims.hpp"
 #include "validation/shipped.hpp"

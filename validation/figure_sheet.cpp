@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fit/wavelength_sets.hpp"
 #include "validation/figure_names.hpp"
 #include "validation/figure_output.hpp"
 

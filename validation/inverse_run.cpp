@@ -2,7 +2,7 @@
 
 #include "core/input_error.hpp"
 #include "fit/models.hpp"
-#include "fit/settings.hpp"
+#include "fit/wavelength_sets.hpp"
 
 namespace skinfit {
 namespace {

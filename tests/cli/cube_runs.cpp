@@ -1,3 +1,4 @@
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "measurements/text_reader.hpp"
@@ -57,9 +58,12 @@ TEST_F(CubeRuns, ConvertGivesTheMeanOfTheMaskOrTheRectangle) {
         const Spectrum mean = read_spectrum(folder() / "mean.csv");
         ASSERT_EQ(mean.value.size(), skin_.value.size());
         for (std::size_t i = 0; i < mean.value.size(); ++i) {
-            EXPECT_NEAR(mean.wavelength_nm[i], skin_.wavelength_nm[i], 5e-4) << "six decimals of micrometres";
+            // Half of the last of six decimals of a micrometre.
+            EXPECT_NEAR(mean.wavelength_nm[i], skin_.wavelength_nm[i], 0.5e-6 * 1000);
             EXPECT_DOUBLE_EQ(mean.value[i], 1.01 * skin_.value[i]);
-            EXPECT_NEAR(mean.sigma[i], 0.01 * skin_.value[i], 1e-14);
+            // Two values about this large and their mean are each rounded once, and differenced.
+            EXPECT_NEAR(mean.sigma[i], 0.01 * skin_.value[i],
+                        4 * std::numeric_limits<double>::epsilon() * skin_.value[i]);
         }
         EXPECT_EQ(mean.sigma_source, "from the scatter of 2 pixels");
     }

@@ -6,6 +6,7 @@
 
 #include "core/input_error.hpp"
 #include "fit/problem.hpp"
+#include "fit/wavelength_sets.hpp"
 
 namespace skinfit {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/input_error.hpp"
-#include "fit/settings.hpp"
+#include "fit/wavelength_sets.hpp"
 
 namespace skinfit::test {
 namespace {
