@@ -106,7 +106,7 @@ Names named_files(std::string_view text) {
 const std::string references_path = "model/REFERENCES.md";
 
 std::vector<SourceFile> citing_files() {
-    return source_files({"core", "model", "measurements", "fit", "validation", "bench", "app", "tests"},
+    return source_files({"core", "model", "measurements", "fit", "validation", "study", "bench", "app", "tests"},
                         {".cpp", ".hpp", ".csv", ".md"});
 }
 
