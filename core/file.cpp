@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include "core/input_error.hpp"
 
@@ -80,31 +81,6 @@ int write_all(int descriptor, std::string_view bytes) {
     return 0;
 }
 
-enum class Durability { scratch, durable };
-
-/// Writes `parts` to a temporary file next to `path` and renames it.
-void replace_file(const std::filesystem::path& path, std::span<const std::string_view> parts, Durability durability) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) refuse_to_write(path, EISDIR);
-    std::string temporary = path.string() + ".XXXXXX";
-    const int descriptor = ::mkstemp(temporary.data());
-    if (descriptor < 0) refuse_to_write(path, errno);
-    constexpr mode_t ordinary_file = 0666;
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    int failure = ::fchmod(descriptor, ordinary_file & ~mask) == 0 ? 0 : errno;
-    for (const std::string_view part : parts) {
-        if (failure == 0) failure = write_all(descriptor, part);
-    }
-    if (failure == 0 && durability == Durability::durable && ::fsync(descriptor) != 0) failure = errno;
-    if (::close(descriptor) != 0 && failure == 0) failure = errno;
-    if (failure == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) failure = errno;
-    if (failure != 0) {
-        ::unlink(temporary.c_str());
-        refuse_to_write(path, failure);
-    }
-}
-
 /// True for /dev/stdout, pipes and the like, which cannot be replaced by renaming. The first few are streams even where
 /// the shell has redirected them to a file: renaming would replace the name in /dev.
 bool is_stream(const std::filesystem::path& path) {
@@ -141,9 +117,43 @@ std::string read_file(const std::filesystem::path& path) {
     return bytes;
 }
 
+FileReplacement::FileReplacement(std::filesystem::path path) : path_(std::move(path)) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path_, ignored)) refuse_to_write(path_, EISDIR);
+    temporary_ = path_.string() + ".XXXXXX";
+    descriptor_ = ::mkstemp(temporary_.data());
+    if (descriptor_ < 0) refuse_to_write(path_, errno);
+    constexpr mode_t ordinary_file = 0666;
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    if (::fchmod(descriptor_, ordinary_file & ~mask) == 0) return;
+    const int failure = errno;
+    ::close(descriptor_);
+    ::unlink(temporary_.c_str());
+    refuse_to_write(path_, failure);
+}
+
+FileReplacement::~FileReplacement() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void FileReplacement::append(std::string_view bytes) {
+    if (const int failure = write_all(descriptor_, bytes)) refuse_to_write(path_, failure);
+}
+
+void FileReplacement::finish(bool durable) {
+    if (durable && ::fsync(descriptor_) != 0) refuse_to_write(path_, errno);
+    if (::close(std::exchange(descriptor_, -1)) != 0) refuse_to_write(path_, errno);
+    if (std::rename(temporary_.c_str(), path_.c_str()) != 0) refuse_to_write(path_, errno);
+    temporary_.clear();
+}
+
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes) {
     if (!is_stream(path)) {
-        replace_file(path, {&bytes, 1}, Durability::durable);
+        FileReplacement file(path);
+        file.append(bytes);
+        file.finish();
         return;
     }
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_APPEND);
@@ -154,7 +164,9 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view b
 }
 
 void write_scratch_file_atomically(const std::filesystem::path& path, std::span<const std::string_view> parts) {
-    replace_file(path, parts, Durability::scratch);
+    FileReplacement file(path);
+    for (const std::string_view part : parts) file.append(part);
+    file.finish(false);
 }
 
 }  // namespace skinfit

@@ -23,4 +23,27 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view b
 /// carry a checksum.
 void write_scratch_file_atomically(const std::filesystem::path& path, std::span<const std::string_view> parts);
 
+/// A file that is written in parts and then, in one step, takes the place of the one at its path. Until it does, or if
+/// it never does, the old one is untouched.
+class FileReplacement {
+public:
+    /// Throws InputError when the folder is missing or read-only, or `path` is a folder.
+    explicit FileReplacement(std::filesystem::path path);
+    FileReplacement(const FileReplacement&) = delete;
+    FileReplacement& operator=(const FileReplacement&) = delete;
+    /// Removes what was written where `finish` has not been called.
+    ~FileReplacement();
+
+    /// Throws InputError when the disk is full.
+    void append(std::string_view bytes);
+
+    /// Puts the file in its place, once; `durable` waits until the disk has it. Throws InputError when that fails.
+    void finish(bool durable = true);
+
+private:
+    std::filesystem::path path_;
+    std::string temporary_;  ///< its name; empty once it is in its place
+    int descriptor_ = -1;
+};
+
 }  // namespace skinfit

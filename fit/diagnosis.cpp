@@ -9,7 +9,6 @@
 namespace skinfit {
 namespace {
 
-constexpr double improbable = 1e-3;
 constexpr double monte_carlo_share = 0.5;  // of the noise
 constexpr double better_cost = 1e-3;
 constexpr double almost_as_well = 3.84;  // of the cost: 95 % of chi-square with one degree of freedom

@@ -13,16 +13,19 @@ struct Diagnosis {
     std::vector<std::string> reasons;  ///< `<what>; <what to do>`
 };
 
+/// A p-value below which chance is no explanation.
+inline constexpr double improbable = 1e-3;
+
 /// Judges a result by its other fields.
 /// Failed where the cost could still fall (`Minimum::converged`): a flat direction is no failure.
 /// Suspect where
-///   chi2 is improbable under noise and discrepancy (p below 0.001), or no degree of freedom is left to test it;
-///   the residuals, less what the discrepancy explains of them, change sign improbably rarely (p below 0.001) and are
-///   no smaller than half the noise; another minimum costs at most 3.84 more; a free parameter lies at a bound or is
-///   not identifiable; the Monte Carlo error of the reading exceeds half the noise; another solver found a cost lower
-///   by more than 1e-3, or the same cost with a parameter more than 0.1 sigma away; there are fewer wavelengths than
-///   free parameters; profiling met a better minimum; the chains of a posterior have not mixed (R-hat not below 1.01,
-///   or fewer than 400 effective draws) or diverged.
+///   chi2 is improbable under noise and discrepancy (p below `improbable`), or no degree of freedom is left to test it;
+///   the residuals, less what the discrepancy explains of them, change sign improbably rarely (p below `improbable`)
+///   and are no smaller than half the noise; another minimum costs at most 3.84 more; a free parameter lies at a bound
+///   or is not identifiable; the Monte Carlo error of the reading exceeds half the noise; another solver found a cost
+///   lower by more than 1e-3, or the same cost with a parameter more than 0.1 sigma away; there are fewer wavelengths
+///   than free parameters; profiling met a better minimum; the chains of a posterior have not mixed (R-hat not
+///   below 1.01, or fewer than 400 effective draws) or diverged.
 [[nodiscard]] Diagnosis diagnose(const FitResult& result);
 
 }  // namespace skinfit

@@ -103,6 +103,37 @@ void read_wavelengths(const EnviFields& fields, EnviHeader& header) {
     for (double& width : header.fwhm_nm) width *= unit.nm;
 }
 
+std::string on_one_line(std::string_view text) {
+    std::string line(text);
+    std::ranges::replace_if(
+        line, [](char c) { return c == '\r' || c == '\n'; }, ' ');
+    return line;
+}
+
+/// `EnviHeader::band_names`.
+std::vector<std::string> read_band_names(const EnviFields& fields, std::uint64_t bands) {
+    const std::optional<EnviField> field = fields.find("band names");
+    if (!field) return {};
+    std::vector<std::string> names;
+    for (const std::string_view name : split(field->value, ',')) names.push_back(on_one_line(name));
+    return names.size() == bands ? names : std::vector<std::string>{};
+}
+
+/// `EnviHeader::place`.
+std::vector<std::string> read_place(const EnviFields& fields) {
+    std::vector<std::string> lines;
+    for (const std::string key :
+         {"map info", "projection info", "coordinate system string", "geo points", "pixel size"}) {
+        const std::optional<EnviField> field = fields.find(key);
+        if (field) lines.push_back(fmt::format("{} = {{{}}}", key, on_one_line(field->value)));
+    }
+    for (const std::string key : {"x start", "y start"}) {
+        const std::optional<EnviField> field = fields.find(key);
+        if (field) lines.push_back(fmt::format("{} = {}", key, on_one_line(field->value)));
+    }
+    return lines;
+}
+
 }  // namespace
 
 std::uint64_t EnviHeader::data_file_bytes() const {
@@ -144,6 +175,8 @@ EnviHeader parse_envi_header(std::string_view text, const std::string& source) {
     header.good.assign(header.bands, true);
     const std::vector<double> marks = fields.numbers("bbl", header.bands);
     for (std::size_t band = 0; band < marks.size(); ++band) header.good[band] = marks[band] != 0;
+    header.band_names = read_band_names(fields, header.bands);
+    header.place = read_place(fields);
     return header;
 }
 

@@ -33,6 +33,11 @@ struct EnviHeader {
     std::string wavelength_rule;                     ///< how the unit of the wavelengths was found, in words
     std::string sensor_type;                         ///< empty where not given
     std::vector<bool> good;                          ///< one per band: not marked as bad by `bbl`
+    std::vector<std::string> band_names;             ///< one per band; empty where not given or not one per band
+    /// `key = value`, without line ends, of what the header says about where on earth or in a larger picture the pixels
+    /// lie: `map info`, `projection info`, `coordinate system string`, `geo points`, `pixel size`, `x start`, `y
+    /// start`.
+    std::vector<std::string> place;
 
     /// The bytes the data file must have at least; 2^64 - 1 where they are more.
     [[nodiscard]] std::uint64_t data_file_bytes() const;

@@ -55,16 +55,24 @@ bool is_cube(const std::filesystem::path& path, const std::optional<std::string>
     return reader ? *reader == envi_reader_name : find_envi_header(path).has_value();
 }
 
-Spectrum read_envi(const std::filesystem::path& path, const ReadOptions& options) {
-    const SpectralCube cube(path, options.unit);
-    const CubeMean mean = mean_spectrum(cube, CubeRegion(options.region, cube));
-
+Spectrum common_spectrum(const SpectralCube& cube) {
     Spectrum spectrum;
     spectrum.name = cube.files().header.stem().string();
     spectrum.source = cube.files().data.string();
     spectrum.instrument = cube.header().sensor_type;
-    spectrum.notes = notes_on(cube, options.region, mean);
+    spectrum.unit_rule = cube.unit_rule();
+    spectrum.wavelength_nm = cube.wavelength_nm();
     take_bandpass(spectrum, widths_of(cube));
+    return spectrum;
+}
+
+Spectrum read_envi(const std::filesystem::path& path, const ReadOptions& options) {
+    const SpectralCube cube(path, options.unit);
+    const CubeMean mean = mean_spectrum(cube, CubeRegion(options.region, cube));
+
+    Spectrum spectrum = common_spectrum(cube);
+    const std::vector<FileNote> notes = notes_on(cube, options.region, mean);
+    spectrum.notes.insert(spectrum.notes.begin(), notes.begin(), notes.end());
     if (!mean.sigma.empty()) spectrum.sigma_source = fmt::format("from the scatter of {} pixels", mean.pixels);
 
     const bool stated = options.unit || cube.header().reflectance_scale_factor;
@@ -72,7 +80,6 @@ Spectrum read_envi(const std::filesystem::path& path, const ReadOptions& options
                                      : find_unit({.option = {}, .comment = {}, .header = {}}, mean.value);
     const double one = found.unit == Unit::percent ? 100 : 1;
     spectrum.unit_rule = found.rule;
-    spectrum.wavelength_nm = cube.wavelength_nm();
     for (const double value : mean.value) spectrum.value.push_back(value / one);
     for (const double sigma : mean.sigma) spectrum.sigma.push_back(sigma / one);
     return spectrum;

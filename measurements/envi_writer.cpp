@@ -3,47 +3,64 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <bit>
 #include <cassert>
-#include <string_view>
+#include <utility>
 
-#include "core/file.hpp"
 #include "core/input_error.hpp"
 
 namespace skinfit {
 namespace {
 
-std::string header_text(const Planes& planes) {
-    std::vector<std::string_view> names;
-    for (const Plane& plane : planes.planes) names.push_back(plane.name);
-    return fmt::format(
+std::filesystem::path header_beside(const std::filesystem::path& data) {
+    std::filesystem::path header = std::filesystem::path(data).replace_extension("hdr");
+    if (header != data) return header;
+    throw InputError({.where = data.string(),
+                      .problem = "is called like its header",
+                      .why = "an ENVI file has its data in another",
+                      .remedy = "give it another ending, such as dat"});
+}
+
+/// As it may stand between braces.
+std::string in_braces(std::string text) {
+    std::ranges::replace(text, '{', '(');
+    std::ranges::replace(text, '}', ')');
+    std::ranges::replace_if(
+        text, [](char c) { return c == '\r' || c == '\n'; }, ' ');
+    return text;
+}
+
+std::string header_text(const EnviOutput& output) {
+    std::string text = fmt::format(
         "ENVI\ndescription = {{{}}}\nsamples = {}\nlines = {}\nbands = {}\nheader offset = 0\n"
-        "file type = ENVI Standard\ndata type = 4\ninterleave = bsq\nbyte order = {}\ndata ignore value = nan\n"
+        "file type = ENVI Standard\ndata type = 4\ninterleave = bil\nbyte order = {}\ndata ignore value = nan\n"
         "band names = {{{}}}\n",
-        planes.description, planes.samples, planes.lines, planes.planes.size(),
-        std::endian::native == std::endian::little ? 0 : 1, fmt::join(names, ", "));
+        in_braces(output.description), output.samples, output.lines, output.band_names.size(),
+        std::endian::native == std::endian::little ? 0 : 1, fmt::join(output.band_names, ", "));
+    for (const std::string& line : output.place) text += line + "\n";
+    return text;
 }
 
 }  // namespace
 
-void write_envi(const std::filesystem::path& path, const Planes& planes) {
-    const std::filesystem::path header = std::filesystem::path(path).replace_extension("hdr");
-    if (header == path) {
-        throw InputError({.where = path.string(),
-                          .problem = "is called like its header",
-                          .why = "an ENVI file has its data in another",
-                          .remedy = "give it another ending, such as dat"});
-    }
-    assert(!planes.planes.empty());
-    std::string bytes;
-    bytes.reserve(planes.planes.size() * planes.samples * planes.lines * sizeof(float));
-    for (const Plane& plane : planes.planes) {
-        assert(plane.value.size() == planes.samples * planes.lines);
-        assert(plane.name.find_first_of(",{}\r\n") == std::string::npos);
-        bytes.append(reinterpret_cast<const char*>(plane.value.data()), plane.value.size() * sizeof(float));
-    }
-    write_file_atomically(path, bytes);
-    write_file_atomically(header, header_text(planes));
+EnviWriter::EnviWriter(const std::filesystem::path& path, EnviOutput output)
+    : header_(header_beside(path)), output_(std::move(output)), data_(path) {
+    assert(!output_.band_names.empty());
+    assert(std::ranges::all_of(output_.band_names, [](const std::string& name) {
+        return name.find_first_of(",{}\r\n") == std::string::npos;
+    }));
+}
+
+void EnviWriter::append(std::string_view bytes) {
+    data_.append(bytes);
+    appended_ += bytes.size();
+}
+
+void EnviWriter::finish() {
+    assert(appended_ == output_.samples * output_.lines * output_.band_names.size() * sizeof(float));
+    data_.finish();
+    write_file_atomically(header_, header_text(output_));
 }
 
 }  // namespace skinfit

@@ -1,29 +1,44 @@
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "core/file.hpp"
 
 namespace skinfit {
 
-/// One picture of a set: a map of something over the pixels.
-struct Plane {
-    std::string name;          ///< without commas, braces and line ends
-    std::vector<float> value;  ///< line after line; NaN where there is none
+/// What the header of an ENVI file of 32-bit floating point numbers, interleaved by line, says.
+struct EnviOutput {
+    std::uint64_t samples = 0;            ///< pixels in a line
+    std::uint64_t lines = 0;              ///< of each band
+    std::vector<std::string> band_names;  ///< at least one, without commas, braces and line ends
+    std::string description;              ///< braces become parentheses, and line ends blanks
+    std::vector<std::string> place{};     ///< header lines, as `EnviHeader::place`
 };
 
-/// Pictures of one size.
-struct Planes {
-    std::size_t samples = 0;
-    std::size_t lines = 0;
-    std::string description;    ///< without braces
-    std::vector<Plane> planes;  ///< at least one
-};
+/// Writes an ENVI file in parts, line after line: all bands of a line, band after band, in the machine's byte order
+/// (interleave bil). NaN is the `data ignore value`. The data, and then the header beside it with `hdr` in place of the
+/// ending, are each put in place in one step at the end; without `finish` nothing changes. (GDAL's own writer does
+/// neither.) The data may be larger than the memory.
+class EnviWriter {
+public:
+    /// Throws InputError when `path` is called like its header, and as `FileReplacement`.
+    EnviWriter(const std::filesystem::path& path, EnviOutput output);
 
-/// Writes an ENVI file of 32-bit numbers, band after band: the data to `path`, then the header beside it, with `hdr` in
-/// place of the ending. Each of the two is replaced in one step. (GDAL's own writer replaces neither so.) Throws
-/// InputError when they cannot be written or `path` is called like its header.
-void write_envi(const std::filesystem::path& path, const Planes& planes);
+    /// Throws InputError when the disk is full; then what was written is removed with the writer.
+    void append(std::string_view bytes);
+
+    /// After exactly the bytes of the picture. Throws InputError when the files cannot be put in place.
+    void finish();
+
+private:
+    std::filesystem::path header_;
+    EnviOutput output_;
+    FileReplacement data_;
+    std::uint64_t appended_ = 0;  ///< bytes
+};
 
 }  // namespace skinfit

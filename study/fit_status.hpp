@@ -13,9 +13,10 @@ enum class FitStatus : std::uint8_t {
     suspect,   ///< with an answer and reasons to doubt it
     rejected,  ///< not fitted: a quality finding says that no fit could be trusted
     failed,    ///< without an answer: unreadable, or the fit did not converge
+    masked,    ///< not to be fitted: a pixel outside the mask or the rectangle
 };
-inline constexpr std::array<std::string_view, 5> fit_status_names = {"pending", "fitted", "suspect", "rejected",
-                                                                     "failed"};
+inline constexpr std::array<std::string_view, 6> fit_status_names = {"pending",  "fitted", "suspect",
+                                                                     "rejected", "failed", "masked"};
 
 /// The word for `status` in tables and JSON.
 [[nodiscard]] constexpr std::string_view name_of(FitStatus status) {

@@ -1,10 +1,12 @@
 #include "core/file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <string>
 
@@ -78,6 +80,41 @@ TEST_F(FileTest, KeepsTheOldFileWhenTheFolderIsReadOnly) {
     EXPECT_NE(message.find("(Permission denied)"), std::string::npos) << message;
     EXPECT_EQ(read_file(in_folder("a")), "old");
     EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(FileTest, AReplacementThatIsNotFinishedLeavesTheOldFileAlone) {
+    write_file_atomically(in_folder("a"), "old");
+    {
+        FileReplacement file(in_folder("a"));
+        file.append("ne");
+        EXPECT_EQ(read_file(in_folder("a")), "old");
+        EXPECT_EQ(entries(), 2);
+    }
+    EXPECT_EQ(read_file(in_folder("a")), "old");
+    EXPECT_EQ(entries(), 1);
+    FileReplacement file(in_folder("a"));
+    file.append("ne");
+    file.append("w");
+    file.finish();
+    EXPECT_EQ(read_file(in_folder("a")), "new");
+    EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(FileTest, AReplacementBeyondTheLimitOfFilesIsReportedAndRemoved) {
+    // A limit on the size of files stands in for a full disk.
+    struct rlimit before {};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    const struct rlimit small { .rlim_cur = 4096, .rlim_max = before.rlim_max };
+    const auto signal_before = std::signal(SIGXFSZ, SIG_IGN);
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    const std::string message = refusal([&] {
+        FileReplacement file(in_folder("a"));
+        for (int i = 0; i < 10; ++i) file.append(std::string(1000, 'x'));
+    });
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+    std::signal(SIGXFSZ, signal_before);
+    EXPECT_TRUE(message.starts_with(in_folder("a").string() + ": cannot be written (File too large)")) << message;
+    EXPECT_EQ(entries(), 0);
 }
 
 TEST_F(FileTest, ReportsAFullDisk) {

@@ -7,8 +7,8 @@
 
 namespace skinfit::test {
 
-/// A small ENVI cube to be written byte by byte, without any library: the value of a pixel is a whole number that every
-/// type can hold.
+/// An ENVI cube to be written byte by byte, without any library: the value of a pixel is a whole number that every type
+/// can hold, or what is given.
 struct MadeCube {
     std::size_t samples = 5;
     std::size_t lines = 4;
@@ -18,9 +18,11 @@ struct MadeCube {
     bool most_significant_byte_first = false;
     std::size_t header_offset = 0;
     std::string more = "wavelength = {400, 500, 600}\nreflectance scale factor = 100\n";  ///< further header lines
+    std::vector<double> given{};  ///< pixel after pixel, with all bands of each together
 
-    /// From 1 to 120 while the cube has no more than 120 numbers.
+    /// What is given, else from 1 to 120 while the cube has no more than 120 numbers.
     [[nodiscard]] double number(std::size_t line, std::size_t sample, std::size_t band) const {
+        if (!given.empty()) return given[(line * samples + sample) * bands + band];
         return static_cast<double>(1 + (band * lines + line) * samples + sample);
     }
 };
