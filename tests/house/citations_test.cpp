@@ -97,7 +97,7 @@ Names named_files(std::string_view text) {
     for (std::size_t i = 1; i < parts.size(); i += 2) {
         const std::string_view folder = parts[i].substr(0, parts[i].find('/'));
         const bool is_ours = folder == "core" || folder == "model" || folder == "measurements" || folder == "fit" ||
-                             folder == "validation" || folder == "app" || folder == "tests";
+                             folder == "report" || folder == "validation" || folder == "app" || folder == "tests";
         if (is_ours && parts[i].size() > folder.size()) named.insert(std::string(parts[i]));
     }
     return named;
@@ -106,8 +106,9 @@ Names named_files(std::string_view text) {
 const std::string references_path = "model/REFERENCES.md";
 
 std::vector<SourceFile> citing_files() {
-    return source_files({"core", "model", "measurements", "fit", "validation", "study", "bench", "app", "tests"},
-                        {".cpp", ".hpp", ".csv", ".md"});
+    return source_files(
+        {"core", "model", "measurements", "fit", "report", "validation", "study", "bench", "app", "tests"},
+        {".cpp", ".hpp", ".csv", ".md"});
 }
 
 /// A citation for the tests of the tests, so that this file cites nothing itself.
