@@ -92,6 +92,13 @@ std::string gnuplot_data(std::string_view name, const std::vector<double>& x, co
     return block + "END\n";
 }
 
+std::string gnuplot_table(std::string_view name, const std::vector<std::vector<double>>& rows) {
+    assert(!rows.empty());
+    std::string block = fmt::format("${} << END\n", name);
+    for (const std::vector<double>& row : rows) block += fmt::format("{}\n", fmt::join(row, " "));
+    return block + "END\n";
+}
+
 // Files carry the three streams, so that none of them can stall.
 std::string gnuplot_picture(const std::string& script) {
     const Stream in = scratch_file();

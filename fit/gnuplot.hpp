@@ -26,6 +26,9 @@ struct PictureSize {
 [[nodiscard]] std::string gnuplot_data(std::string_view name, const std::vector<double>& x,
                                        const std::vector<double>& y);
 
+/// The same with as many columns as each of `rows` has, of which there is at least one.
+[[nodiscard]] std::string gnuplot_table(std::string_view name, const std::vector<std::vector<double>>& rows);
+
 /// The picture that gnuplot makes of `script`. Throws InputError when gnuplot is missing or fails.
 [[nodiscard]] std::string gnuplot_picture(const std::string& script);
 

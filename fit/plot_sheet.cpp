@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cstdlib>
-#include <string_view>
 
 #include "core/file.hpp"
 #include "fit/gnuplot.hpp"
+#include "fit/plot_colours.hpp"
 
 namespace skinfit {
 namespace {
@@ -24,10 +23,6 @@ constexpr int title_height = 45;
 constexpr int above_panel = 30;
 constexpr int swatch_height = 30;
 constexpr int below_panel = 58;
-
-/// Told apart on white, by most who see colours differently too.
-constexpr std::array<std::string_view, 7> colours = {"#0072b2", "#e69f00", "#009e73", "#cc3311",
-                                                     "#9467bd", "#8c564b", "#56b4e9"};
 
 /// Smallest and largest of something.
 struct Span {
@@ -105,9 +100,9 @@ std::string lines_script(const SheetPanel& panel, const std::string& data_name) 
     std::size_t coloured = 0;
     for (std::size_t i = 0; i < panel.lines.size(); ++i) {
         const bool is_reference = panel.lines[i].style == LineStyle::reference;
-        const std::string look = is_reference
-                                     ? "linewidth 2 dashtype (8,5) linecolor rgb '#000000'"
-                                     : fmt::format("linewidth 2 dashtype 1 linecolor rgb '{}'", colours.at(coloured++));
+        const std::string look =
+            is_reference ? "linewidth 2 dashtype (8,5) linecolor rgb '#000000'"
+                         : fmt::format("linewidth 2 dashtype 1 linecolor rgb '{}'", plot_colours.at(coloured++));
         script += fmt::format("{}${}_{} with lines {} title {}", i == 0 ? "" : ", ", data_name, i, look,
                               gnuplot_string(panel.lines[i].label));
     }
