@@ -103,7 +103,9 @@ std::vector<FittedParameter> fixed_rows(const Configuration& configuration) {
 FitResult fit_spectra(const Configuration& configuration, std::span<const Spectrum> spectra,
                       const FitOptions& options) {
     const FitProblem problem = make_problem(configuration, spectra);
-    const std::vector<ForwardModel> models = make_models(problem, configuration.engine, options.cache);
+    const std::vector<ForwardModel> models = options.models
+                                                 ? options.models(problem, configuration.engine)
+                                                 : make_models(problem, configuration.engine, options.cache);
     const Objective objective(problem, models);
     const Objective cheap(problem, cheap_models(problem, models));
     Search found = search(cheap, objective, configuration.solver, configuration.starts);

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <functional>
+#include <span>
+#include <vector>
+
 #include "fit/configuration.hpp"
+#include "fit/models.hpp"
 #include "fit/result.hpp"
 #include "measurements/quality.hpp"
 #include "measurements/spectrum.hpp"
@@ -13,6 +18,8 @@ struct FitOptions {
     bool cross_check = false;  ///< also by the other solvers, and compare
     EnsembleCache cache;
     std::vector<Finding> findings{};  ///< on the spectra, for the result: `findings_before_fit`
+    /// What gives the models of the problem; unset: `make_models` with `cache`.
+    std::function<std::vector<ForwardModel>(const FitProblem&, Engine)> models{};
 };
 
 /// Explains all `spectra` (at least one) together as `configuration` says. Throws InputError for a problem that makes

@@ -1,0 +1,96 @@
+#include "study/answers.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "study/belief.hpp"
+
+namespace skinfit {
+namespace {
+
+const ParameterEstimate* parameter_of(const LedgerRow& row, const std::string& name) {
+    const auto found = std::ranges::find(row.studied.parameters, name, &ParameterEstimate::name);
+    return found == row.studied.parameters.end() ? nullptr : &*found;
+}
+
+const IndexValue* index_of(const LedgerRow& row, const std::string& name) {
+    const auto found = std::ranges::find(row.studied.indices, name, &IndexValue::name);
+    return found == row.studied.indices.end() ? nullptr : &*found;
+}
+
+std::optional<Belief> belief_in(const LedgerRow& row, const std::string& quantity) {
+    if (const ParameterEstimate* const parameter = parameter_of(row, quantity)) return belief_of(*parameter);
+    if (const IndexValue* const index = index_of(row, quantity)) return belief_of(*index);
+    return std::nullopt;
+}
+
+bool matches(const Metadata& metadata, const Metadata& wanted) {
+    return std::ranges::all_of(wanted, [&](const auto& each) { return word_of(metadata, each.first) == each.second; });
+}
+
+/// What is believed of the reference of each specimen.
+using References = std::map<std::string, std::vector<Belief>>;
+
+References references_of(const Indicator& indicator, const std::vector<LedgerRow>& rows) {
+    References references;
+    if (!indicator.reference) return references;
+    for (const LedgerRow& row : rows) {
+        if (!matches(row.metadata, indicator.reference->where)) continue;
+        const std::optional<Belief> belief = belief_in(row, indicator.quantity);
+        if (belief) references[word_of(row.metadata, indicator.reference->same)].push_back(*belief);
+    }
+    return references;
+}
+
+IndicatorAnswer answer(const Indicator& indicator, const LedgerRow& row, const References& references) {
+    const FitStatus status = row.studied.status;
+    if (status != FitStatus::fitted && status != FitStatus::suspect) {
+        return {.probability = {}, .why_none = std::string(name_of(status))};
+    }
+    const std::optional<Belief> belief = belief_in(row, indicator.quantity);
+    if (!belief) {
+        const bool known = parameter_of(row, indicator.quantity) != nullptr;
+        return {.probability = {}, .why_none = indicator.quantity + (known ? " is not identifiable" : " is not known")};
+    }
+    double above = 0.0;
+    if (indicator.threshold) {
+        above = belief->probability_above(*indicator.threshold);
+    } else {
+        const auto found = references.find(word_of(row.metadata, indicator.reference->same));
+        if (found == references.end()) return {.probability = {}, .why_none = "no reference of the same specimen"};
+        if (matches(row.metadata, indicator.reference->where)) return {.probability = {}, .why_none = "a reference"};
+        for (const Belief& reference : found->second) above += belief->probability_above(reference);
+        above /= static_cast<double>(found->second.size());
+    }
+    return {.probability = indicator.above ? above : 1.0 - above, .why_none = {}};
+}
+
+}  // namespace
+
+std::vector<AnsweredRow> answered(const Study& study, std::vector<LedgerRow> rows) {
+    std::vector<References> references;
+    for (const Indicator& indicator : study.indicators) references.push_back(references_of(indicator, rows));
+    std::vector<AnsweredRow> all;
+    for (LedgerRow& row : rows) {
+        AnsweredRow one{.row = {}, .indicators = {}};
+        for (std::size_t i = 0; i < study.indicators.size(); ++i) {
+            one.indicators.push_back(answer(study.indicators[i], row, references[i]));
+        }
+        one.row = std::move(row);
+        all.push_back(std::move(one));
+    }
+    return all;
+}
+
+std::optional<QuantityEstimate> estimate_of(const LedgerRow& row, const std::string& quantity) {
+    if (const ParameterEstimate* const parameter = parameter_of(row, quantity)) {
+        return QuantityEstimate{
+            .value = parameter->value, .sigma = parameter->sigma, .interval_95 = parameter->interval_95};
+    }
+    if (const IndexValue* const index = index_of(row, quantity)) {
+        return QuantityEstimate{.value = index->value, .sigma = index->sigma, .interval_95 = {}};
+    }
+    return std::nullopt;
+}
+
+}  // namespace skinfit

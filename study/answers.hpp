@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/ledger.hpp"
+#include "study/study.hpp"
+
+namespace skinfit {
+
+/// What an indicator says of one spectrum.
+struct IndicatorAnswer {
+    std::optional<double> probability;  ///< none where the spectrum does not tell
+    std::string why_none;               ///< in a few words; empty where there is a probability
+};
+
+/// A spectrum of a study with the answers to the study's questions.
+struct AnsweredRow {
+    LedgerRow row;
+    std::vector<IndicatorAnswer> indicators;  ///< in the order of `Study::indicators`
+};
+
+/// The probabilities of the study's indicators for all spectra of its ledger: from the marginal posterior, else from
+/// the interval of each quantity (`belief_of`), never from the value alone. A reference is the spectrum measured where
+/// the indicator says on the same specimen; where there are several, the probability is the mean over them.
+[[nodiscard]] std::vector<AnsweredRow> answered(const Study& study, std::vector<LedgerRow> rows);
+
+/// The estimate of a parameter or index of a spectrum, with its standard deviation where it has one.
+struct QuantityEstimate {
+    double value;
+    std::optional<double> sigma;
+    std::optional<Bounds> interval_95;  ///< of a parameter
+};
+
+/// None where the spectrum has no such estimate.
+[[nodiscard]] std::optional<QuantityEstimate> estimate_of(const LedgerRow& row, const std::string& quantity);
+
+}  // namespace skinfit

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "study/studied_spectrum.hpp"
+
+namespace skinfit {
+
+/// What is believed of one quantity of one spectrum after the fit: its marginal distribution, by quantiles at evenly
+/// spaced probabilities from 0 to 1, linear between them.
+class Belief {
+public:
+    /// `quantiles`: at least two, ascending.
+    explicit Belief(std::vector<double> quantiles);
+
+    /// The probability of values above `threshold`.
+    [[nodiscard]] double probability_above(double threshold) const;
+
+    /// The probability that a value of this exceeds one of `other`, the two being independent.
+    [[nodiscard]] double probability_above(const Belief& other) const;
+
+private:
+    std::vector<double> quantiles_;
+};
+
+/// The marginal distribution of a parameter: that of the posterior where it was sampled. Otherwise what the interval
+/// says, cut at the bounds of the fit: two halves of normal distributions that meet at the value, each with the
+/// standard deviation that puts its end of the interval at the normal distribution's 97.5 %; of a parameter at a bound
+/// one half, whose limit lies at 95 %, where the cost has risen by 2.71 (`estimate_uncertainty`). None for one that is
+/// not identifiable: the spectrum does not tell.
+[[nodiscard]] std::optional<Belief> belief_of(const ParameterEstimate& estimate);
+
+/// A normal distribution.
+[[nodiscard]] Belief belief_of(const IndexValue& index);
+
+}  // namespace skinfit

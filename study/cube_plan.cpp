@@ -1,0 +1,80 @@
+#include "study/cube_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/file.hpp"
+#include "core/hash.hpp"
+#include "core/input_error.hpp"
+#include "measurements/envi_reader.hpp"
+#include "study/map_file.hpp"
+#include "study/map_preview.hpp"
+#include "study/map_tile.hpp"
+
+namespace skinfit {
+namespace {
+
+/// Size and time of the last change.
+std::string stamp_of(const std::filesystem::path& path) {
+    std::error_code error;
+    const auto size = std::filesystem::file_size(path, error);
+    const auto time = std::filesystem::last_write_time(path, error).time_since_epoch().count();
+    return fmt::format("{} {};", size, time);
+}
+
+std::string hash_of(const StudyCube& cube, const SpectralCube& opened) {
+    std::string text = read_file(opened.files().header) + stamp_of(opened.files().data);
+    text += cube.unit ? std::string(unit_names[static_cast<std::size_t>(*cube.unit)]) : std::string();
+    if (cube.region.mask) text += stamp_of(*cube.region.mask);
+    if (const std::optional<Rectangle>& rectangle = cube.region.rectangle) {
+        text += fmt::format("{} {} {} {}", rectangle->first_sample, rectangle->first_line, rectangle->samples,
+                            rectangle->lines);
+    }
+    return content_hash(text);
+}
+
+/// A file name from a source: folders become underscores.
+std::string map_name(const std::string& source) {
+    std::string name = std::filesystem::path(source).replace_extension().string();
+    std::ranges::replace_if(
+        name, [](char c) { return c == '/' || c == ' '; }, '_');
+    return name + "_map.dat";
+}
+
+}  // namespace
+
+CubeEntry planned(const StudyCube& cube) {
+    CubeEntry entry;
+    entry.source = cube.source;
+    entry.metadata = cube.metadata;
+    try {
+        const SpectralCube opened(cube.path, cube.unit);
+        const CubeRegion region(cube.region, opened);
+        entry.input_hash = hash_of(cube, opened);
+        entry.samples = opened.samples();
+        const std::size_t step = tile_lines(opened);
+        for (std::size_t first = 0; first < opened.lines(); first += step) {
+            entry.tiles.push_back({.first_line = first, .lines = std::min(step, opened.lines() - first)});
+        }
+    } catch (const InputError& error) {
+        entry.problem = error.what();
+        entry.input_hash = content_hash(error.what());
+    }
+    return entry;
+}
+
+void write_map(const Ledger& ledger, const Study& study, const StudyCube& cube, const std::string& configuration_hash) {
+    const SpectralCube opened(cube.path, cube.unit);
+    const PixelFitter fitter(configuration_of(study), common_spectrum(opened), {});
+    const std::filesystem::path folder = study.output / "maps";
+    std::filesystem::create_directories(folder);
+    const std::filesystem::path map = folder / map_name(cube.source);
+    EnviWriter writer(map, map_output(fitter.problem(), opened, configuration_hash));
+    for_each_tile(ledger, cube.source, [&](const FittedTile& tile) { writer.append(tile.bytes); });
+    writer.finish();
+    (void)draw_map(map, folder);
+    finish_cube(ledger, cube.source, map.string());
+}
+
+}  // namespace skinfit

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "study/cube_ledger.hpp"
+#include "study/study.hpp"
+
+namespace skinfit {
+
+/// How a cube is fitted. Its input hash is that of its header, its region, and of the size and the time of the last
+/// change of its data and mask: gigabytes are not read to see whether they are the same. What cannot be read becomes an
+/// entry with a problem and without tiles.
+[[nodiscard]] CubeEntry planned(const StudyCube& cube);
+
+/// Writes the map of a cube whose tiles are all done into `folder`, with its pictures, and notes that in the ledger.
+/// Throws InputError when they cannot be written.
+void write_map(const Ledger& ledger, const Study& study, const StudyCube& cube, const std::string& configuration_hash);
+
+}  // namespace skinfit

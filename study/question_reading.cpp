@@ -1,0 +1,139 @@
+#include "study/question_reading.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/json_reading.hpp"
+#include "fit/settings.hpp"
+#include "model/parameters.hpp"
+#include "study/indices.hpp"
+
+namespace skinfit {
+namespace {
+
+const std::string example = "configs/study_example.json of the source tree is an example";
+
+std::string word(const Json& json, std::string_view key, const std::string& where) {
+    const Json& value = json.at(key);
+    if (value.is_string() && !value.get<std::string>().empty()) return value.get<std::string>();
+    refuse(fmt::format("{}.{}", where, key), value, "a word is needed", "write it between double quotes");
+}
+
+const Json& list(const Json& json, const std::string& where) {
+    if (!json.is_array()) refuse(where, json, "a list is needed", example);
+    return json;
+}
+
+/// The parameter or the index that an entry is about.
+std::string read_quantity(const Json& json, const std::string& where) {
+    if (json.contains("parameter") == json.contains("index")) {
+        refuse(where, json, "either \"parameter\" or \"index\" is needed", "give one of the two");
+    }
+    std::vector<std::string_view> known;
+    const std::string key = json.contains("parameter") ? "parameter" : "index";
+    if (key == "parameter") {
+        for (const ParameterInfo& info : parameter_table()) known.push_back(info.name);
+    } else {
+        for (const IndexInfo& info : index_table()) known.push_back(info.name);
+    }
+    const std::string name = word(json, key, where);
+    if (std::ranges::find(known, name) == known.end()) refuse_unknown(where + "." + key, name, known);
+    return name;
+}
+
+ReferenceSite read_site(const Json& json, const std::string& where) {
+    require_names(json, {"same", "where"}, {{"same", "where"}, "a reference needs both", example}, where);
+    ReferenceSite site{.same = word(json, "same", where), .where = {}};
+    require_object(json["where"], where + ".where", example);
+    for (const auto& [name, value] : json["where"].items()) {
+        site.where.emplace_back(name, word(json["where"], name, where + ".where"));
+    }
+    if (site.where.empty()) refuse(where + ".where", json["where"], "it chooses nothing", example);
+    return site;
+}
+
+double read_threshold(const Json& value, const std::string& quantity, const std::string& where) {
+    if (const std::optional<Parameter> parameter = find_parameter(quantity)) {
+        return read_number(value, {.lowest = info(*parameter).lowest, .highest = info(*parameter).highest}, where);
+    }
+    constexpr double far = 1e6;  // beyond every index
+    return read_number(value, {.lowest = -far, .highest = far}, where);
+}
+
+Indicator read_indicator(const Json& json, const std::string& where) {
+    require_names(json, {"name", "parameter", "index", "above", "below", "source"},
+                  {{"name", "source"}, "a reader must see what is asked, and why there", example}, where);
+    if (json.contains("above") == json.contains("below")) {
+        refuse(where, json, "either \"above\" or \"below\" is needed", "give one of the two");
+    }
+    Indicator indicator{.name = word(json, "name", where),
+                        .quantity = read_quantity(json, where),
+                        .above = json.contains("above"),
+                        .threshold = {},
+                        .reference = {},
+                        .source = word(json, "source", where)};
+    const std::string key = indicator.above ? "above" : "below";
+    if (json[key].is_object()) {
+        indicator.reference = read_site(json[key], where + "." + key);
+    } else {
+        indicator.threshold = read_threshold(json[key], indicator.quantity, where + "." + key);
+    }
+    return indicator;
+}
+
+}  // namespace
+
+std::vector<Indicator> read_indicators(const Json& json, const std::string& where) {
+    std::vector<Indicator> indicators;
+    for (const Json& each : list(json, where)) {
+        const std::string here = fmt::format("{}[{}]", where, indicators.size());
+        Indicator indicator = read_indicator(each, here);
+        if (std::ranges::find(indicators, indicator.name, &Indicator::name) != indicators.end()) {
+            refuse(here + ".name", each["name"], "another indicator has it", "give each a name of its own");
+        }
+        indicators.push_back(std::move(indicator));
+    }
+    return indicators;
+}
+
+std::vector<Assessment> read_assessments(const Json& json, const std::vector<Indicator>& indicators,
+                                         const std::string& where) {
+    std::vector<std::string_view> known;
+    for (const Indicator& indicator : indicators) known.emplace_back(indicator.name);
+    std::vector<Assessment> assessments;
+    for (const Json& each : list(json, where)) {
+        const std::string here = fmt::format("{}[{}]", where, assessments.size());
+        require_object(each, here, example);
+        Assessment assessment;
+        if (each.contains("indicator")) {
+            require_names(each, {"indicator", "label", "positive", "thresholds"},
+                          {{"label", "positive"}, "an indicator is compared with a label", example}, here);
+            assessment.name = word(each, "indicator", here);
+            if (known.empty()) refuse(here + ".indicator", each["indicator"], "the study has no indicators", example);
+            if (std::ranges::find(known, assessment.name) == known.end()) {
+                refuse_unknown(here + ".indicator", assessment.name, known);
+            }
+            assessment.metadata = word(each, "label", here);
+            assessment.positive = word(each, "positive", here);
+            if (each.contains("thresholds")) {
+                assessment.thresholds.clear();
+                for (const Json& threshold : list(each["thresholds"], here + ".thresholds")) {
+                    assessment.thresholds.push_back(
+                        read_number(threshold, {.lowest = 0.0, .highest = 1.0}, here + ".thresholds"));
+                }
+            }
+        } else {
+            require_names(each, {"parameter", "index", "reference"},
+                          {{"reference"}, "estimates are compared with numbers", example}, here);
+            assessment.name = read_quantity(each, here);
+            assessment.is_indicator = false;
+            assessment.metadata = word(each, "reference", here);
+        }
+        assessments.push_back(std::move(assessment));
+    }
+    return assessments;
+}
+
+}  // namespace skinfit

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/agreement.hpp"
+#include "study/answers.hpp"
+#include "study/calibration.hpp"
+#include "study/roc.hpp"
+
+namespace skinfit {
+
+/// The cases of an indicator: spectra whose metadata have a word for the label.
+[[nodiscard]] std::vector<PredictedCase> cases_of(const Study& study, const Assessment& assessment,
+                                                  const std::vector<AnsweredRow>& rows);
+
+/// An indicator against its label.
+struct IndicatorAssessment {
+    RocAnalysis roc;
+    std::optional<ExpectedRocArea> expected_area;  ///< by the probabilities themselves
+    std::vector<OperatingPoint> points;            ///< at the thresholds of the assessment
+    std::optional<CalibrationAnalysis> calibration;
+};
+
+[[nodiscard]] IndicatorAssessment assessed(const Study& study, const Assessment& assessment,
+                                           const std::vector<AnsweredRow>& rows);
+
+/// The pairs of an estimate and its reference value: spectra whose metadata hold a number. Throws InputError for words
+/// that are no numbers.
+[[nodiscard]] std::vector<ReferencePair> pairs_of(const Assessment& assessment, const std::vector<AnsweredRow>& rows);
+
+/// All assessments of a study as JSON.
+[[nodiscard]] Json assessments_json(const Study& study, const std::vector<AnsweredRow>& rows);
+
+}  // namespace skinfit

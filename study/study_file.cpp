@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/file.hpp"
+#include "core/input_error.hpp"
+#include "fit/configuration_json.hpp"
+#include "fit/json_reading.hpp"
+#include "fit/named_instrument.hpp"
+#include "fit/settings.hpp"
+#include "study/question_reading.hpp"
+#include "study/study.hpp"
+#include "study/study_inputs.hpp"
+
+namespace skinfit {
+namespace {
+
+const std::string example = "configs/study_example.json of the source tree is an example";
+
+std::vector<std::string> read_words(const Json& json, std::string_view key, const std::string& where) {
+    std::vector<std::string> words;
+    if (!json.contains(key)) return words;
+    const Json& value = json.at(key);
+    const std::string here = fmt::format("{}.{}", where, key);
+    if (value.is_string()) return {value.get<std::string>()};
+    if (!value.is_array()) refuse(here, value, "a list of words is needed", "write [\"...\", \"...\"]");
+    for (const Json& each : value) {
+        if (!each.is_string()) refuse(here, each, "words are needed", "write it between double quotes");
+        words.push_back(each.get<std::string>());
+    }
+    return words;
+}
+
+std::string read_word(const Json& json, std::string_view key, const std::string& where) {
+    if (!json.contains(key)) return {};
+    const Json& value = json.at(key);
+    if (value.is_string() && !value.get<std::string>().empty()) return value.get<std::string>();
+    refuse(fmt::format("{}.{}", where, key), value, "a word is needed", "write it between double quotes");
+}
+
+/// What "fit" says: settings, or the name of a file of settings.
+Json read_settings(const Json& json, const std::filesystem::path& folder) {
+    if (!json.contains("fit")) return Json::object();
+    if (!json["fit"].is_string()) return json["fit"];
+    const std::filesystem::path path = folder / json["fit"].get<std::string>();
+    return parsed_json(read_file(path), path.string(), "see `skinfit config show`");
+}
+
+std::optional<std::string> read_instrument(const Json& json, const std::filesystem::path& folder,
+                                           const std::string& where) {
+    const std::string instrument = read_word(json, "instrument", where);
+    if (instrument.empty()) return std::nullopt;
+    if (json.contains("fit") && json["fit"].is_object() && json["fit"].contains("instrument")) {
+        throw InputError({.where = where + ".instrument",
+                          .problem = "is given by \"fit\" too",
+                          .why = "only one of them could hold",
+                          .remedy = "keep one of the two"});
+    }
+    // A file lies relative to the study; anything else is the name of an instrument.
+    const std::filesystem::path file = folder / instrument;
+    return std::filesystem::is_regular_file(file) ? file.string() : instrument;
+}
+
+/// Findings are named as `skinfit inspect` names them; a name that no check has would change nothing.
+void check_accepted(const std::vector<std::string>& names, const std::string& where) {
+    const std::vector<std::string_view> known = {
+        "unit_conflict",        "outside_0_1",    "offset",     "dark_everywhere",
+        "missing_values",       "outside_tables", "spikes",     "duplicate",
+        "collapse_at_end",      "falling_end",    "saturation", "no_haemoglobin",
+        "noise_against_repeats"};
+    for (const std::string& name : names) {
+        if (std::ranges::find(known, name) == known.end()) refuse_unknown(where + ".accept", name, known);
+    }
+}
+
+/// Two inputs must not name one file: its spectra would count twice.
+template <class Files>
+void check_distinct(const Files& files, std::set<std::string>& sources, const std::string& where) {
+    for (const auto& file : files) {
+        if (sources.insert(file.source).second) continue;
+        throw InputError({.where = where + ".inputs",
+                          .problem = fmt::format("name {} twice", file.source),
+                          .why = "its spectra would count twice",
+                          .remedy = "leave it out of one of them"});
+    }
+}
+
+}  // namespace
+
+Study parse_study(std::string_view text, const std::filesystem::path& path) {
+    const std::string where = path.string();
+    const Json json = parsed_json(text, where, example);
+    require_names(
+        json,
+        {"name", "inputs", "instrument", "fit", "accept", "group_by", "repeats_of", "indicators", "assess", "output"},
+        {{"inputs", "output"}, "a study cannot do without it", example}, where);
+    const std::filesystem::path folder = path.parent_path();
+    Study study;
+    study.file = path;
+    study.name = json.contains("name") ? read_word(json, "name", where) : path.stem().string();
+    const StudyInputs inputs = read_inputs(json["inputs"], folder, where + ".inputs");
+    study.files = inputs.files;
+    study.cubes = inputs.cubes;
+    std::set<std::string> sources;
+    check_distinct(study.files, sources, where);
+    check_distinct(study.cubes, sources, where);
+    study.fit = read_settings(json, folder);
+    study.instrument = read_instrument(json, folder, where);
+    (void)with_instrument(configuration_of(study));  // so that what is wrong with them is said now
+    study.accept = read_words(json, "accept", where);
+    check_accepted(study.accept, where);
+    study.group_by = read_words(json, "group_by", where);
+    study.repeats_of = read_word(json, "repeats_of", where);
+    if (json.contains("indicators")) study.indicators = read_indicators(json["indicators"], where + ".indicators");
+    if (json.contains("assess")) {
+        study.assessments = read_assessments(json["assess"], study.indicators, where + ".assess");
+    }
+    study.output = folder / read_word(json, "output", where);
+    return study;
+}
+
+Study read_study(const std::filesystem::path& path) {
+    return parse_study(read_file(path), path);
+}
+
+}  // namespace skinfit

@@ -1,0 +1,150 @@
+#include "study/study_groups.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "model/parameters.hpp"
+
+namespace skinfit {
+namespace {
+
+bool has_answer(const AnsweredRow& each) {
+    return each.row.studied.status == FitStatus::fitted || each.row.studied.status == FitStatus::suspect;
+}
+
+std::string group_name(const Study& study, const LedgerRow& row) {
+    std::string name;
+    for (const std::string& key : study.group_by) {
+        const std::string word = word_of(row.metadata, key);
+        name += (name.empty() ? "" : ", ") + (word.empty() ? fmt::format("no {}", key) : word);
+    }
+    return name.empty() ? "all" : name;
+}
+
+double median_of(std::vector<double> values) {
+    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+    std::ranges::sort(values);
+    const std::size_t middle = values.size() / 2;
+    return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2.0;
+}
+
+/// The reasons of a spectrum, each by its first words: "AT BOUND", or "collapse_at_end".
+std::vector<std::string> short_reasons(const StudiedSpectrum& studied) {
+    std::vector<std::string> reasons;
+    std::string_view rest = studied.reason;
+    while (!rest.empty()) {
+        const std::size_t end = rest.find(" | ");
+        const std::string_view one = rest.substr(0, end);
+        // A file's name stands before the colon of an error; what is wrong, behind it.
+        const std::size_t colon = one.find(studied.status == FitStatus::failed ? ": " : ":");
+        const bool is_error = studied.status == FitStatus::failed && studied.verdict.empty();
+        std::string_view words =
+            is_error && colon != std::string_view::npos ? one.substr(colon + 2) : one.substr(0, colon);
+        if (is_error) words = words.substr(0, words.find(" ("));
+        // "CHAINS HAVE NOT MIXED in a parameter" counts once.
+        if (!is_error && studied.status == FitStatus::suspect) {
+            const std::size_t lower = words.find_first_of("abcdefghijklmnopqrstuvwxyz");
+            if (lower != std::string_view::npos && lower > 1) words = words.substr(0, lower - 1);
+        }
+        if (std::ranges::find(reasons, words) == reasons.end()) reasons.emplace_back(words);
+        rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 3);
+    }
+    if (reasons.empty()) reasons.emplace_back(name_of(studied.status));
+    return reasons;
+}
+
+}  // namespace
+
+std::vector<StudyGroup> groups_of(const Study& study, const std::vector<AnsweredRow>& rows) {
+    std::vector<StudyGroup> groups;
+    std::map<std::string, std::size_t> places;
+    for (const AnsweredRow& each : rows) {
+        const auto [place, is_new] = places.try_emplace(group_name(study, each.row), groups.size());
+        if (is_new) groups.push_back({.name = place->first, .rows = {}});
+        StudyGroup& group = groups[place->second];
+        ++group.counts[static_cast<std::size_t>(each.row.studied.status)];
+        if (has_answer(each)) group.rows.push_back(&each);
+    }
+    return groups;
+}
+
+std::vector<std::string> quantities_in(const std::vector<AnsweredRow>& rows) {
+    std::vector<std::string> known;
+    for (const ParameterInfo& info : parameter_table()) known.emplace_back(info.name);
+    for (const IndexInfo& info : index_table()) known.emplace_back(info.name);
+    std::erase_if(known, [&](const std::string& name) {
+        return std::ranges::none_of(rows,
+                                    [&](const AnsweredRow& each) { return estimate_of(each.row, name).has_value(); });
+    });
+    return known;
+}
+
+std::string unit_of(const std::string& quantity) {
+    if (const std::optional<Parameter> parameter = find_parameter(quantity)) return std::string(info(*parameter).unit);
+    const auto found = std::ranges::find(index_table(), quantity, &IndexInfo::name);
+    return found == index_table().end() ? std::string() : std::string(found->unit);
+}
+
+std::optional<GroupSummary> summary_of(const StudyGroup& group, const std::string& quantity) {
+    std::vector<double> values;
+    std::vector<double> sigmas;
+    for (const AnsweredRow* const each : group.rows) {
+        const std::optional<QuantityEstimate> estimate = estimate_of(each->row, quantity);
+        if (!estimate) continue;
+        values.push_back(estimate->value);
+        if (estimate->sigma) sigmas.push_back(*estimate->sigma);
+    }
+    if (values.empty()) return std::nullopt;
+    const auto n = static_cast<double>(values.size());
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+    double squares = 0.0;
+    for (const double value : values) squares += (value - mean) * (value - mean);
+    return GroupSummary{.spectra = values.size(),
+                        .mean = mean,
+                        .sd = std::sqrt(squares / (n - 1.0)),  // NaN for one
+                        .median = median_of(values),
+                        .median_sigma = median_of(sigmas)};
+}
+
+std::vector<RepeatedEstimate> repeats_of(const Study& study, const std::vector<AnsweredRow>& rows,
+                                         const std::string& quantity) {
+    std::vector<RepeatedEstimate> repeats;
+    for (const AnsweredRow& each : rows) {
+        const std::string specimen = word_of(each.row.metadata, study.repeats_of);
+        if (specimen.empty() || !has_answer(each)) continue;
+        const std::optional<QuantityEstimate> estimate = estimate_of(each.row, quantity);
+        if (estimate) repeats.push_back({.specimen = specimen, .estimate = estimate->value, .sigma = estimate->sigma});
+    }
+    return repeats;
+}
+
+std::vector<ReasonCount> reasons_in(const std::vector<AnsweredRow>& rows) {
+    std::vector<ReasonCount> counts;
+    for (const AnsweredRow& each : rows) {
+        const StudiedSpectrum& studied = each.row.studied;
+        if (studied.status == FitStatus::fitted || studied.status == FitStatus::pending) continue;
+        for (const std::string& reason : short_reasons(studied)) {
+            const auto found = std::ranges::find_if(counts, [&](const ReasonCount& count) {
+                return count.status == studied.status && count.reason == reason;
+            });
+            if (found != counts.end()) {
+                ++found->spectra;
+                continue;
+            }
+            counts.push_back(
+                {.status = studied.status,
+                 .reason = reason,
+                 .spectra = 1,
+                 .example = fmt::format("{} {}: {}", each.row.key.source, each.row.key.name, studied.reason)});
+        }
+    }
+    std::ranges::stable_sort(counts, std::greater<>(), &ReasonCount::spectra);
+    return counts;
+}
+
+}  // namespace skinfit

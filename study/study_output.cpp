@@ -1,0 +1,262 @@
+#include "study/study_output.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/version.hpp"
+#include "fit/report.hpp"
+
+namespace skinfit {
+namespace {
+
+/// The columns that some row has, each once, in the order of their first row.
+struct Columns {
+    std::vector<std::string> metadata;
+    std::vector<std::string> parameters;
+    std::vector<std::string> indices;
+    std::vector<std::pair<std::string, std::string>> correlated;
+};
+
+template <class List, class Item>
+void add_new(List& list, const Item& item) {
+    if (std::ranges::find(list, item) == list.end()) list.push_back(item);
+}
+
+Columns columns_of(const std::vector<AnsweredRow>& rows) {
+    Columns columns;
+    for (const AnsweredRow& each : rows) {
+        for (const auto& [name, word] : each.row.metadata) add_new(columns.metadata, name);
+        const std::vector<ParameterEstimate>& parameters = each.row.studied.parameters;
+        for (std::size_t i = 0; i < parameters.size(); ++i) {
+            add_new(columns.parameters, parameters[i].name);
+            for (std::size_t k = 0; k < i; ++k) {
+                add_new(columns.correlated, std::pair(parameters[i].name, parameters[k].name));
+            }
+        }
+        for (const IndexValue& index : each.row.studied.indices) add_new(columns.indices, std::string(index.name));
+    }
+    return columns;
+}
+
+std::string number(const std::optional<double>& value) {
+    return value ? fmt::format("{}", *value) : std::string();
+}
+
+/// The correlation of two parameters of a spectrum.
+std::optional<double> correlation_of(const StudiedSpectrum& studied, const std::pair<std::string, std::string>& pair) {
+    const auto place = [&](const std::string& name) {
+        return static_cast<std::size_t>(std::ranges::find(studied.parameters, name, &ParameterEstimate::name) -
+                                        studied.parameters.begin());
+    };
+    const std::size_t row = place(pair.first);
+    const std::size_t column = place(pair.second);
+    if (row >= studied.parameters.size() || column >= row) return std::nullopt;
+    return studied.correlation[row * (row - 1) / 2 + column];
+}
+
+class Line {
+public:
+    void add(const std::string& text) { text_ += (text_.empty() ? "" : ",") + csv_cell(text); }
+    [[nodiscard]] std::string ended() const { return text_ + "\n"; }
+
+private:
+    std::string text_;
+};
+
+std::string header_line(const Study& study, const Columns& columns) {
+    Line line;
+    for (const char* name : {"source", "number", "spectrum", "status", "verdict", "reason"}) line.add(name);
+    for (const std::string& name : columns.metadata) line.add(name);
+    for (const std::string& name : columns.parameters) {
+        line.add(name);
+        for (const char* part : {"sigma", "lower_95", "upper_95", "status"}) line.add(name + "_" + part);
+    }
+    for (const std::string& name : columns.indices) {
+        line.add(name);
+        line.add(name + "_sigma");
+    }
+    for (const Indicator& indicator : study.indicators) line.add("p_" + indicator.name);
+    for (const auto& [a, b] : columns.correlated) line.add(fmt::format("correlation_{}_{}", a, b));
+    for (const char* name :
+         {"rmse", "chi2", "degrees_of_freedom", "p_value", "input_hash", "configuration_hash", "seconds"}) {
+        line.add(name);
+    }
+    return line.ended();
+}
+
+void add_parameter(const StudiedSpectrum& studied, const std::string& name, Line& line) {
+    const auto found = std::ranges::find(studied.parameters, name, &ParameterEstimate::name);
+    if (found == studied.parameters.end()) {
+        for (int i = 0; i < 5; ++i) line.add("");
+        return;
+    }
+    line.add(number(found->value));
+    line.add(number(found->sigma));
+    line.add(number(found->interval_95.lower));
+    line.add(number(found->interval_95.upper));
+    line.add(std::string(name_of(found->status)));
+}
+
+std::string row_line(const AnsweredRow& each, const Columns& columns) {
+    const LedgerRow& row = each.row;
+    const StudiedSpectrum& studied = row.studied;
+    Line line;
+    line.add(row.key.source);
+    line.add(fmt::format("{}", row.key.number));
+    line.add(row.key.name);
+    line.add(std::string(name_of(studied.status)));
+    line.add(studied.verdict);
+    line.add(studied.reason);
+    for (const std::string& name : columns.metadata) line.add(word_of(row.metadata, name));
+    for (const std::string& name : columns.parameters) add_parameter(studied, name, line);
+    for (const std::string& name : columns.indices) {
+        const auto found = std::ranges::find(studied.indices, name, &IndexValue::name);
+        const bool known = found != studied.indices.end();
+        line.add(known ? number(found->value) : "");
+        line.add(known ? number(found->sigma) : "");
+    }
+    for (const IndicatorAnswer& answer : each.indicators) line.add(number(answer.probability));
+    for (const auto& pair : columns.correlated) line.add(number(correlation_of(studied, pair)));
+    for (const std::optional<double>& value :
+         {studied.rmse, studied.chi2, studied.degrees_of_freedom, studied.p_value}) {
+        line.add(number(value));
+    }
+    line.add(row.input_hash);
+    line.add(row.configuration_hash);
+    line.add(fmt::format("{}", studied.seconds));
+    return line.ended();
+}
+
+Json counts_json(const StatusCounts& counts) {
+    Json json = Json::object();
+    for (std::size_t i = 0; i < counts.size(); ++i) json[std::string(fit_status_names[i])] = counts[i];
+    return json;
+}
+
+Json indicators_json(const Study& study, const AnsweredRow& each) {
+    Json json = Json::object();
+    for (std::size_t i = 0; i < study.indicators.size(); ++i) {
+        const IndicatorAnswer& answer = each.indicators[i];
+        json[study.indicators[i].name] =
+            answer.probability ? Json{{"probability", *answer.probability}} : Json{{"none", answer.why_none}};
+    }
+    return json;
+}
+
+Json row_json(const Study& study, const AnsweredRow& each) {
+    Json json = {{"source", each.row.key.source},
+                 {"number", each.row.key.number},
+                 {"spectrum", each.row.key.name},
+                 {"metadata", metadata_json(each.row.metadata)}};
+    json.update(to_json(each.row.studied));
+    json["indicators"] = indicators_json(study, each);
+    json["input_hash"] = each.row.input_hash;
+    json["configuration_hash"] = each.row.configuration_hash;
+    return json;
+}
+
+Json definitions_json(const Study& study) {
+    Json indicators = Json::array();
+    for (const Indicator& indicator : study.indicators) {
+        Json json = {{"name", indicator.name}, {"quantity", indicator.quantity}};
+        Json threshold = indicator.threshold ? Json(*indicator.threshold) : Json();
+        if (indicator.reference) {
+            threshold = {{"same", indicator.reference->same}, {"where", metadata_json(indicator.reference->where)}};
+        }
+        json[indicator.above ? "above" : "below"] = threshold;
+        json["source"] = indicator.source;
+        indicators.push_back(json);
+    }
+    Json indices = Json::array();
+    for (const IndexInfo& info : index_table()) {
+        indices.push_back(
+            {{"name", info.name}, {"unit", info.unit}, {"meaning", info.meaning}, {"source", info.source}});
+    }
+    return {{"indicators", indicators}, {"indices", indices}};
+}
+
+Json cubes_json(const Ledger& ledger) {
+    Json json = Json::array();
+    for (const CubeRow& row : cube_rows(ledger)) {
+        json.push_back({{"source", row.source},
+                        {"metadata", metadata_json(row.metadata)},
+                        {"map", row.map.empty() ? Json() : Json(row.map)},
+                        {"reason", row.reason},
+                        {"tiles", row.tiles},
+                        {"tiles_done", row.tiles_done},
+                        {"pixels", counts_json(row.pixels)}});
+    }
+    return json;
+}
+
+std::string counts_text(const StatusCounts& counts) {
+    std::string text;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const bool always = i < static_cast<std::size_t>(FitStatus::failed) + 1;
+        if (counts[i] == 0 && !always) continue;
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts[i], fit_status_names[i]);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string csv_cell(const std::string& text) {
+    if (text.find_first_of(",;\"\n\r\t") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text)
+        quoted += c == '"' ? std::string("\"\"") : std::string(1, c == '\n' || c == '\r' ? ' ' : c);
+    return quoted + "\"";
+}
+
+StudyCounts counts_of(const Ledger& ledger) {
+    StudyCounts counts{.spectra = ledger.counts(), .pixels = {}, .cubes = 0, .maps = 0, .unread_cubes = {}};
+    for (const CubeRow& row : cube_rows(ledger)) {
+        ++counts.cubes;
+        if (!row.map.empty()) ++counts.maps;
+        if (!row.reason.empty()) counts.unread_cubes.emplace_back(row.source, row.reason);
+        for (std::size_t i = 0; i < row.pixels.size(); ++i) counts.pixels[i] += row.pixels[i];
+    }
+    return counts;
+}
+
+std::string status_text(const StudyCounts& counts) {
+    const auto spectra = std::accumulate(counts.spectra.begin(), counts.spectra.end(), std::uint64_t{0});
+    std::string text = fmt::format("{} spectra: {}\n", spectra, counts_text(counts.spectra));
+    if (counts.cubes > 0) {
+        text += fmt::format("{} {}, {} with a map; pixels: {}\n", counts.cubes, counts.cubes == 1 ? "cube" : "cubes",
+                            counts.maps, counts_text(counts.pixels));
+    }
+    for (const auto& [source, reason] : counts.unread_cubes) text += fmt::format("{}: FAILED: {}\n", source, reason);
+    return text;
+}
+
+Json status_json(const StudyCounts& counts) {
+    Json json = counts_json(counts.spectra);
+    json["pixels"] = counts_json(counts.pixels);
+    json["cubes"] = counts.cubes;
+    json["maps"] = counts.maps;
+    return json;
+}
+
+std::string study_csv(const Study& study, const std::vector<AnsweredRow>& rows) {
+    const Columns columns = columns_of(rows);
+    std::string text = header_line(study, columns);
+    for (const AnsweredRow& each : rows) text += row_line(each, columns);
+    return text;
+}
+
+Json study_json(const Study& study, const Ledger& ledger, const std::vector<AnsweredRow>& rows) {
+    Json json = {{"study", study.name}, {"version", ledger.note("version")}};
+    json["configuration"] = Json::parse(ledger.note("configuration"));
+    json.update(definitions_json(study));
+    json["counts"] = status_json(counts_of(ledger));
+    json["spectra"] = Json::array();
+    for (const AnsweredRow& each : rows) json["spectra"].push_back(row_json(study, each));
+    json["cubes"] = cubes_json(ledger);
+    return json;
+}
+
+}  // namespace skinfit

@@ -1,0 +1,235 @@
+#include "study/study_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "core/hash.hpp"
+#include "core/input_error.hpp"
+#include "core/version.hpp"
+#include "fit/configuration_json.hpp"
+#include "fit/named_instrument.hpp"
+#include "study/cube_plan.hpp"
+#include "study/ledger_lock.hpp"
+#include "study/ledger_merge.hpp"
+#include "study/study_tasks.hpp"
+
+namespace skinfit {
+namespace {
+
+/// Spectra of one task: some tenths of a second of fitting, so that little is lost when the program is killed.
+constexpr std::size_t spectra_at_once = 16;
+
+/// What a study consists of, as its files are now.
+struct Plan {
+    std::vector<RosterEntry> roster;
+    std::vector<CubeEntry> cubes;
+    std::size_t left_out = 0;
+};
+
+/// Spectra that follow each other go to one part, those of different parts alternate.
+bool belongs(std::size_t position, const StudyPart& part) {
+    return position / spectra_at_once % part.parts == part.number - 1;
+}
+
+Plan plan_of(const Study& study) {
+    Plan plan;
+    std::map<std::string, std::string> seen;
+    const bool duplicates_count = std::ranges::find(study.accept, "duplicate") == study.accept.end();
+    for (const StudyFile& file : study.files) {
+        StudySpectra read = read_study_file(file);
+        if (duplicates_count) refuse_duplicates(read, seen);
+        plan.left_out += read.left_out;
+        std::ranges::move(read.entries, std::back_inserter(plan.roster));
+    }
+    for (const StudyCube& cube : study.cubes) plan.cubes.push_back(planned(cube));
+    return plan;
+}
+
+void take_part(Plan& plan, const StudyPart& part) {
+    std::vector<RosterEntry> mine;
+    for (std::size_t i = 0; i < plan.roster.size(); ++i) {
+        if (belongs(i, part)) mine.push_back(std::move(plan.roster[i]));
+    }
+    plan.roster = std::move(mine);
+    for (CubeEntry& cube : plan.cubes) {
+        std::vector<CubeTile> tiles;
+        for (std::size_t i = part.number - 1; i < cube.tiles.size(); i += part.parts) tiles.push_back(cube.tiles[i]);
+        cube.tiles = std::move(tiles);
+    }
+}
+
+std::vector<StudyTask> tasks_of(const Study& study, const Ledger& ledger) {
+    std::vector<StudyTask> tasks;
+    for (std::size_t file = 0; file < study.files.size(); ++file) {
+        const std::vector<LedgerKey> keys = ledger.pending(study.files[file].source);
+        for (std::size_t first = 0; first < keys.size(); first += spectra_at_once) {
+            SpectraTask task{.file = file, .numbers = {}};
+            for (std::size_t i = first; i < std::min(first + spectra_at_once, keys.size()); ++i) {
+                task.numbers.push_back(keys[i].number);
+            }
+            tasks.emplace_back(std::move(task));
+        }
+    }
+    for (std::size_t cube = 0; cube < study.cubes.size(); ++cube) {
+        for (const CubeTile& tile : pending_tiles(ledger, study.cubes[cube].source)) {
+            tasks.emplace_back(TileTask{.cube = cube, .tile = tile});
+        }
+    }
+    return tasks;
+}
+
+std::uint64_t pixels_of(const CubeEntry& cube, const CubeTile& tile) {
+    return cube.samples * tile.lines;
+}
+
+StudyProgress to_do(const std::vector<StudyTask>& tasks, const std::vector<CubeEntry>& cubes) {
+    StudyProgress progress;
+    for (const StudyTask& task : tasks) {
+        if (const auto* const spectra = std::get_if<SpectraTask>(&task)) {
+            progress.spectra_to_do += spectra->numbers.size();
+        } else {
+            const auto& tile = std::get<TileTask>(task);
+            progress.pixels_to_do += pixels_of(cubes[tile.cube], tile.tile);
+        }
+    }
+    return progress;
+}
+
+void store(Ledger& ledger, const Study& study, const Plan& plan, const StudyDone& done, StudyProgress& progress) {
+    if (const auto* const spectra = std::get_if<SpectraDone>(&done)) {
+        ledger.store(spectra->answers);
+        progress.spectra += spectra->answers.size();
+        return;
+    }
+    const auto& tile = std::get<TileDone>(done);
+    const std::string& source = study.cubes[tile.cube].source;
+    if (!tile.problem.empty()) {
+        refuse_cube(ledger, source, tile.problem);
+    } else {
+        store_tile(ledger, source, tile.tile);
+    }
+    progress.pixels += pixels_of(plan.cubes[tile.cube], tile.tile.tile);
+}
+
+/// Settings with which no spectrum could be fitted are an error of the study, not of each of its spectra.
+void check_settings(const Study& study) {
+    const Configuration configuration = with_instrument(configuration_of(study));
+    Spectrum ramp;
+    ramp.source = study.file.string();
+    constexpr double step_nm = 5;
+    for (double nm = configuration.wavelength_min_nm; nm <= configuration.wavelength_max_nm; nm += step_nm) {
+        ramp.wavelength_nm.push_back(nm);
+        ramp.value.push_back(nm / configuration.wavelength_max_nm / 2.0);
+    }
+    (void)make_problem(configuration, ramp);
+}
+
+/// Writes the maps of all cubes whose tiles are all done.
+void write_maps(const Study& study, const Ledger& ledger, const std::string& hash, const StudyRunOptions& options) {
+    for (const CubeRow& row : cube_rows(ledger)) {
+        if (row.tiles == 0 || row.tiles_done < row.tiles || !row.map.empty()) continue;
+        const auto cube = std::ranges::find(study.cubes, row.source, &StudyCube::source);
+        options.tell(fmt::format("writing the map of {}", row.source));
+        write_map(ledger, study, *cube, hash);
+    }
+}
+
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!error) return;
+    throw InputError({.where = folder.string(),
+                      .problem = "cannot be made",
+                      .why = error.message(),
+                      .remedy = "name an output folder that can be written"});
+}
+
+Ledger opened(const Study& study, const StudyRunOptions& options) {
+    Ledger ledger(options.ledger, Ledger::Access::write);
+    ledger.set_note("study", study.name);
+    ledger.set_note("version", std::string(version));
+    ledger.set_note("configuration", to_json(with_instrument(configuration_of(study))).dump());
+    return ledger;
+}
+
+void tell_change(const RosterChange& change, const StudyRunOptions& options) {
+    if (change.changed_input > 0) {
+        options.tell(fmt::format("{} spectra have changed and are fitted again", change.changed_input));
+    }
+    if (change.changed_settings > 0) {
+        options.tell(fmt::format("the settings have changed: {} spectra are fitted again", change.changed_settings));
+    }
+    if (change.gone > 0) {
+        options.tell(
+            fmt::format("{} spectra are no longer among the inputs; their results are kept, not shown", change.gone));
+    }
+}
+
+}  // namespace
+
+std::filesystem::path ledger_path(const Study& study) {
+    return study.output / "ledger.sqlite";
+}
+
+std::string configuration_hash_of(const Study& study) {
+    const Json everything = {{"version", version},
+                             {"configuration", to_json(with_instrument(configuration_of(study)))},
+                             {"fit", study.fit},
+                             {"accept", study.accept}};
+    return content_hash(everything.dump());
+}
+
+StudyRun run_study(const Study& study, const StudyRunOptions& options) {
+    check_settings(study);
+    make_folder(options.ledger.parent_path());
+    const LedgerLock lock(options.ledger);
+    Ledger ledger = opened(study, options);
+    const std::string hash = configuration_hash_of(study);
+    Plan plan = plan_of(study);
+    take_part(plan, options.part);
+    StudyRun run{.change = ledger.take(plan.roster, hash), .left_out = plan.left_out, .progress = {}};
+    take_cubes(ledger, plan.cubes, hash);
+    tell_change(run.change, options);
+    const std::vector<StudyTask> tasks = tasks_of(study, ledger);
+    run.progress = to_do(tasks, plan.cubes);
+    options.progress(run.progress);
+    {
+        ThreadCrew crew(options.jobs, study_worker(study, options.cache));
+        const std::size_t done = lead(crew,
+                                      {.tasks = tasks.size(),
+                                       .text = [&](std::size_t number) { return bytes_of(tasks[number]); },
+                                       .take =
+                                           [&](const DoneTask& task) {
+                                               store(ledger, study, plan, done_in(task.result), run.progress);
+                                               options.progress(run.progress);
+                                           },
+                                       .stop = options.stop},
+                                      options.remote);
+        run.stopped = done < tasks.size();
+    }
+    if (options.part.parts == 1) write_maps(study, ledger, hash, options);
+    return run;
+}
+
+StudyRun merge_study(const Study& study, const std::vector<std::filesystem::path>& parts,
+                     const StudyRunOptions& options) {
+    make_folder(options.ledger.parent_path());
+    const LedgerLock lock(options.ledger);
+    Ledger ledger = opened(study, options);
+    const std::string hash = configuration_hash_of(study);
+    const Plan plan = plan_of(study);
+    StudyRun run{.change = ledger.take(plan.roster, hash), .left_out = plan.left_out, .progress = {}};
+    take_cubes(ledger, plan.cubes, hash);
+    for (const std::filesystem::path& path : parts) {
+        const TakenAnswers taken = take_answers(ledger, path);
+        options.tell(fmt::format("{}: {} spectra and {} tiles", path.string(), taken.spectra, taken.tiles));
+        run.progress.spectra += taken.spectra;
+    }
+    write_maps(study, ledger, hash, options);
+    return run;
+}
+
+}  // namespace skinfit

@@ -1,0 +1,91 @@
+#include <chrono>
+#include <map>
+#include <memory>
+#include <mutex>
+
+#include "core/input_error.hpp"
+#include "measurements/envi_reader.hpp"
+#include "study/map_tile.hpp"
+#include "study/spectrum_fitter.hpp"
+#include "study/study_run.hpp"
+#include "study/study_tasks.hpp"
+
+namespace skinfit {
+namespace {
+
+/// What the tasks of a study share in one process.
+class Workshop {
+public:
+    Workshop(const Study& study, const EnsembleCache& cache) : study_(study), cache_(cache), fitter_(study, cache) {}
+
+    SpectraDone fit(const SpectraTask& task) {
+        const std::shared_ptr<const StudySpectra> read = spectra_of(task.file);
+        SpectraDone done;
+        for (const std::size_t number : task.numbers) {
+            for (std::size_t i = 0; i < read->entries.size(); ++i) {
+                const RosterEntry& entry = read->entries[i];
+                if (entry.number != number) continue;
+                done.answers.push_back({.key = {.source = entry.source, .number = number, .name = entry.name},
+                                        .studied = fitter_.fit(read->spectra[i])});
+            }
+        }
+        return done;
+    }
+
+    TileDone fit(const TileTask& task) {
+        const auto begin = std::chrono::steady_clock::now();
+        TileDone done{.cube = task.cube, .tile = {.tile = task.tile}, .problem = {}};
+        try {
+            const StudyCube& cube = study_.cubes[task.cube];
+            const SpectralCube opened(cube.path, cube.unit);
+            const CubeRegion region(cube.region, opened);
+            const std::shared_ptr<const PixelFitter> fitter = fitter_of(task.cube, opened);
+            MapTile tile = fit_tile(*fitter, opened, region, task.tile.first_line, task.tile.lines);
+            done.tile.bytes = std::move(tile.bytes);
+            done.tile.pixels = tile.pixels;
+        } catch (const InputError& error) {
+            done.problem = error.what();
+        }
+        done.tile.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        return done;
+    }
+
+private:
+    /// The tasks of a file follow each other, so that the last few files are enough.
+    std::shared_ptr<const StudySpectra> spectra_of(std::size_t file) {
+        constexpr std::size_t most = 4;
+        const std::lock_guard lock(mutex_);
+        if (const auto found = files_.find(file); found != files_.end()) return found->second;
+        if (files_.size() >= most) files_.erase(files_.begin());
+        return files_[file] = std::make_shared<const StudySpectra>(read_study_file(study_.files[file]));
+    }
+
+    std::shared_ptr<const PixelFitter> fitter_of(std::size_t cube, const SpectralCube& opened) {
+        const std::lock_guard lock(mutex_);
+        std::shared_ptr<const PixelFitter>& fitter = pixel_fitters_[cube];
+        if (!fitter) {
+            fitter = std::make_shared<const PixelFitter>(configuration_of(study_), common_spectrum(opened), cache_);
+        }
+        return fitter;
+    }
+
+    const Study& study_;
+    EnsembleCache cache_;
+    SpectrumFitter fitter_;
+    std::mutex mutex_;
+    std::map<std::size_t, std::shared_ptr<const StudySpectra>> files_;
+    std::map<std::size_t, std::shared_ptr<const PixelFitter>> pixel_fitters_;
+};
+
+}  // namespace
+
+Worker study_worker(const Study& study, const EnsembleCache& cache) {
+    const auto workshop = std::make_shared<Workshop>(study, cache);
+    return [workshop](const std::string& text) {
+        const StudyTask task = task_in(text);
+        if (const auto* const spectra = std::get_if<SpectraTask>(&task)) return bytes_of(workshop->fit(*spectra));
+        return bytes_of(workshop->fit(std::get<TileTask>(task)));
+    };
+}
+
+}  // namespace skinfit
