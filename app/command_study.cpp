@@ -3,9 +3,7 @@
 #include <csignal>
 
 #include <fmt/format.h>
-#include <unistd.h>
-
-#include <thread>
+#include <sched.h>
 
 #include "app/commands.hpp"
 #include "app/progress_line.hpp"
@@ -14,6 +12,7 @@
 #include "core/input_error.hpp"
 #include "core/text.hpp"
 #include "study/study_output.hpp"
+#include "study/study_processes.hpp"
 #include "study/study_report.hpp"
 #include "study/study_run.hpp"
 
@@ -63,6 +62,13 @@ void check_part(const StudyCommand& command) {
          .remedy = "add --ledger FILE, another one for each part, and merge them with `skinfit study merge`"});
 }
 
+/// Of this process, which a launcher may have bound to some of the machine's.
+int usable_processors() {
+    cpu_set_t set;
+    if (::sched_getaffinity(0, sizeof set, &set) != 0) return 1;
+    return std::max(1, CPU_COUNT(&set));
+}
+
 std::atomic<bool> interrupted = false;
 
 /// The first Ctrl-C ends the run when what has begun is stored; the second one at once.
@@ -77,8 +83,7 @@ StudyRunOptions options_of(const StudyCommand& command, const Study& study, Prog
     SharedOptions shared;
     shared.no_cache = command.no_cache;
     StudyRunOptions options;
-    options.jobs =
-        command.jobs > 0 ? command.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    options.jobs = command.jobs > 0 ? command.jobs : usable_processors();
     options.cache = cache_from(shared);
     options.part = part_of(command);
     options.ledger = ledger_of(command, study);
@@ -128,9 +133,12 @@ int run_it(const StudyCommand& command) {
     ProgressLine line({.quiet = command.quiet, .verbose = command.verbose});
     const StudyRunOptions options = options_of(command, study, line);
     end_on_interrupt();
-    const StudyRun run = run_study(study, options);
+    const std::optional<StudyRun> run = run_study_together(study, options);
+    if (!run) return trustworthy_result;  // the process that leads says the rest
     line.end();
-    return finished(command, study, run);
+    const int exit_code = finished(command, study, *run);
+    // Launchers take any other code of one process for a failure of all.
+    return launched_processes() == 1 ? exit_code : trustworthy_result;
 }
 
 int merge_it(const StudyCommand& command) {
@@ -206,7 +214,7 @@ void add_study_command(CLI::App& app, int& exit_code) {
     add_run_options(*run_app, run);
     run_app->footer(
         "Exit code 0: every spectrum is fitted; 1: some are suspect, rejected, failed or pending; 2: bad input; 3: "
-        "internal error.");
+        "internal error. Under mpirun 0 stands for 1 too.");
     run_app->callback([run, &exit_code] { exit_code = run_it(*run); });
 
     const auto status = std::make_shared<StudyCommand>();
