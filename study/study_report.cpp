@@ -71,7 +71,7 @@ HtmlSection reasons_section(const StudyResults& results) {
 }
 
 Html group_table(const std::vector<StudyGroup>& groups, const std::string& quantity) {
-    HtmlTable table{.caption = quantity,
+    HtmlTable table{.caption = "",
                     .columns = {{.name = "group", .cells = Cells::text},
                                 {.name = "spectra"},
                                 {.name = "mean", .unit = unit_of(quantity)},

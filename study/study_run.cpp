@@ -139,7 +139,7 @@ void write_maps(const Study& study, const Ledger& ledger, const std::string& has
 
 void make_folder(const std::filesystem::path& folder) {
     std::error_code error;
-    std::filesystem::create_directories(folder, error);
+    if (!folder.empty()) std::filesystem::create_directories(folder, error);
     if (!error) return;
     throw InputError({.where = folder.string(),
                       .problem = "cannot be made",
