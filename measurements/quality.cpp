@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <iterator>
 
 #include "core/input_error.hpp"
@@ -26,6 +27,9 @@ std::vector<Finding> quality_findings(std::span<const Spectrum> spectra, const M
     }
     std::ranges::move(duplicates(spectra), std::back_inserter(findings));
     std::ranges::move(reflectance_plus_transmittance(spectra), std::back_inserter(findings));
+    assert(std::ranges::all_of(findings, [](const Finding& finding) {
+        return std::ranges::find(quality_check_names, finding.name) != quality_check_names.end();
+    }));
     return findings;
 }
 

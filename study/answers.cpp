@@ -19,6 +19,7 @@ const IndexValue* index_of(const LedgerRow& row, const std::string& name) {
 }
 
 std::optional<Belief> belief_in(const LedgerRow& row, const std::string& quantity) {
+    if (!has_answer(row.studied.status)) return std::nullopt;
     if (const ParameterEstimate* const parameter = parameter_of(row, quantity)) return belief_of(*parameter);
     if (const IndexValue* const index = index_of(row, quantity)) return belief_of(*index);
     return std::nullopt;
@@ -35,17 +36,17 @@ References references_of(const Indicator& indicator, const std::vector<LedgerRow
     References references;
     if (!indicator.reference) return references;
     for (const LedgerRow& row : rows) {
-        if (!matches(row.metadata, indicator.reference->where)) continue;
+        const std::string specimen = word_of(row.metadata, indicator.reference->same);
+        if (specimen.empty() || !matches(row.metadata, indicator.reference->where)) continue;
         const std::optional<Belief> belief = belief_in(row, indicator.quantity);
-        if (belief) references[word_of(row.metadata, indicator.reference->same)].push_back(*belief);
+        if (belief) references[specimen].push_back(*belief);
     }
     return references;
 }
 
 IndicatorAnswer answer(const Indicator& indicator, const LedgerRow& row, const References& references) {
-    const FitStatus status = row.studied.status;
-    if (status != FitStatus::fitted && status != FitStatus::suspect) {
-        return {.probability = {}, .why_none = std::string(name_of(status))};
+    if (!has_answer(row.studied.status)) {
+        return {.probability = {}, .why_none = std::string(name_of(row.studied.status))};
     }
     const std::optional<Belief> belief = belief_in(row, indicator.quantity);
     if (!belief) {
@@ -83,6 +84,7 @@ std::vector<AnsweredRow> answered(const Study& study, std::vector<LedgerRow> row
 }
 
 std::optional<QuantityEstimate> estimate_of(const LedgerRow& row, const std::string& quantity) {
+    if (!has_answer(row.studied.status)) return std::nullopt;
     if (const ParameterEstimate* const parameter = parameter_of(row, quantity)) {
         return QuantityEstimate{
             .value = parameter->value, .sigma = parameter->sigma, .interval_95 = parameter->interval_95};

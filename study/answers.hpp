@@ -23,7 +23,8 @@ struct AnsweredRow {
 
 /// The probabilities of the study's indicators for all spectra of its ledger: from the marginal posterior, else from
 /// the interval of each quantity (`belief_of`), never from the value alone. A reference is the spectrum measured where
-/// the indicator says on the same specimen; where there are several, the probability is the mean over them.
+/// the indicator says on the same specimen; where there are several, the probability is the mean over them. A spectrum
+/// without a word for the specimen has none.
 [[nodiscard]] std::vector<AnsweredRow> answered(const Study& study, std::vector<LedgerRow> rows);
 
 /// The estimate of a parameter or index of a spectrum, with its standard deviation where it has one.
@@ -33,7 +34,7 @@ struct QuantityEstimate {
     std::optional<Bounds> interval_95;  ///< of a parameter
 };
 
-/// None where the spectrum has no such estimate.
+/// None where the spectrum has no such estimate, or no answer: `has_answer`.
 [[nodiscard]] std::optional<QuantityEstimate> estimate_of(const LedgerRow& row, const std::string& quantity);
 
 }  // namespace skinfit

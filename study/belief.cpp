@@ -70,8 +70,10 @@ std::optional<Belief> belief_of(const ParameterEstimate& estimate) {
         case Status::not_identifiable:
             return std::nullopt;
         case Status::at_lower_bound:
+            if (interval.upper >= estimate.bounds.upper) return std::nullopt;  // any value may be
             return Belief(split_normal(value, 0.0, (interval.upper - value) / one_sided_95, estimate.bounds));
         case Status::at_upper_bound:
+            if (interval.lower <= estimate.bounds.lower) return std::nullopt;
             return Belief(split_normal(value, (value - interval.lower) / one_sided_95, 0.0, estimate.bounds));
         default:
             break;

@@ -4,6 +4,7 @@
 #include <SQLiteCpp/VariadicBind.h>
 
 #include <filesystem>
+#include <stdexcept>
 
 #include "study/sqlite_errors.hpp"
 
@@ -18,13 +19,15 @@ Json counts_json(const StatusCounts& counts) {
     return json;
 }
 
-StatusCounts counts_from(const std::string& text) {
-    StatusCounts counts{};
-    const Json json = Json::parse(text);
-    for (const auto& [name, count] : json.items()) {
-        counts[static_cast<std::size_t>(fit_status_named(name))] = count.get<std::uint64_t>();
-    }
-    return counts;
+StatusCounts counts_from(const Ledger& ledger, const std::string& text) {
+    return understood(ledger.path(), [&] {
+        StatusCounts counts{};
+        const Json json = Json::parse(text);
+        for (const auto& [name, count] : json.items()) {
+            counts[static_cast<std::size_t>(fit_status_named(name))] = count.get<std::uint64_t>();
+        }
+        return counts;
+    });
 }
 
 SQLite::Statement bound(const Ledger& ledger, const char* query, const std::string& source) {
@@ -72,7 +75,7 @@ void count_tiles(const Ledger& ledger, CubeRow& row) {
         ++row.tiles;
         if (query.getColumn(0).isNull()) continue;
         ++row.tiles_done;
-        const StatusCounts counts = counts_from(query.getColumn(0).getString());
+        const StatusCounts counts = counts_from(ledger, query.getColumn(0).getString());
         for (std::size_t i = 0; i < counts.size(); ++i) row.pixels[i] += counts[i];
     }
 }
@@ -121,7 +124,7 @@ void store_tile(const Ledger& ledger, const std::string& source, const FittedTil
         update.bind(3, tile.seconds);
         update.bind(4, source);
         update.bind(5, static_cast<std::int64_t>(tile.tile.first_line));
-        update.exec();
+        if (update.exec() != 1) throw std::logic_error("the ledger holds no such tile of " + source);
     });
 }
 
@@ -142,7 +145,7 @@ std::vector<CubeRow> cube_rows(const Ledger& ledger) {
         while (query.executeStep()) {
             const auto text = [&](int column) { return query.getColumn(column).getString(); };
             rows.push_back({.source = text(0),
-                            .metadata = metadata_from(Json::parse(text(1))),
+                            .metadata = understood(ledger.path(), [&] { return metadata_from(Json::parse(text(1))); }),
                             .configuration_hash = text(2),
                             .reason = text(3),
                             .map = text(4)});
@@ -160,7 +163,7 @@ void for_each_tile(const Ledger& ledger, const std::string& source, const std::f
                                         source);
         while (query.executeStep()) {
             use({.tile = tile_in(query),
-                 .pixels = counts_from(query.getColumn(2).getString()),
+                 .pixels = counts_from(ledger, query.getColumn(2).getString()),
                  .bytes = query.getColumn(3).getString(),
                  .seconds = query.getColumn(4).getDouble()});
         }

@@ -23,4 +23,9 @@ inline constexpr std::array<std::string_view, 6> fit_status_names = {"pending", 
     return fit_status_names[static_cast<std::size_t>(status)];
 }
 
+/// Whether there are estimates to be used: those of a search that did not converge are none.
+[[nodiscard]] constexpr bool has_answer(FitStatus status) {
+    return status == FitStatus::fitted || status == FitStatus::suspect;
+}
+
 }  // namespace skinfit

@@ -91,7 +91,9 @@ std::size_t RosterChange::*take_entry(RosterStatements& statements, const Roster
             run(statements.keep, place, metadata, old->id);
             return old->status == FitStatus::pending ? &RosterChange::added : &RosterChange::kept;
         }
-        change = same_input ? &RosterChange::changed_settings : &RosterChange::changed_input;
+        if (old->status != FitStatus::pending) {
+            change = same_input ? &RosterChange::changed_settings : &RosterChange::changed_input;
+        }
         run(statements.remove, old->id);
     }
     run(statements.add, entry.source, static_cast<std::int64_t>(entry.number), entry.name, place, metadata,
@@ -138,7 +140,9 @@ RosterChange Ledger::take(const std::vector<RosterEntry>& roster, const std::str
         database_->exec("UPDATE spectra SET present = 2 WHERE present");  // until the roster names them
         RosterStatements statements(*database_);
         for (std::size_t position = 0; position < roster.size(); ++position) {
-            ++(change.*take_entry(statements, roster[position], position, configuration_hash));
+            ++(change.*understood(path_, [&] {
+                   return take_entry(statements, roster[position], position, configuration_hash);
+               }));
         }
         change.gone = static_cast<std::size_t>(database_->exec("UPDATE spectra SET present = 0 WHERE present = 2"));
         transaction.commit();
@@ -198,8 +202,9 @@ StatusCounts Ledger::counts() const {
         StatusCounts counts{};
         SQLite::Statement query(*database_, "SELECT status, count(*) FROM spectra WHERE present GROUP BY status");
         while (query.executeStep()) {
-            counts[static_cast<std::size_t>(fit_status_named(query.getColumn(0).getString()))] =
-                static_cast<std::uint64_t>(query.getColumn(1).getInt64());
+            const FitStatus status =
+                understood(path_, [&] { return fit_status_named(query.getColumn(0).getString()); });
+            counts[static_cast<std::size_t>(status)] = static_cast<std::uint64_t>(query.getColumn(1).getInt64());
         }
         return counts;
     });
@@ -211,7 +216,7 @@ void Ledger::for_each(const std::function<void(const LedgerRow&)>& use) const {
                                 "SELECT source, number, name, metadata, input_hash, configuration_hash, status, "
                                 "verdict, reason, parameters, correlation, indices, rmse, chi2, degrees_of_freedom, "
                                 "p_value, seconds FROM spectra WHERE present ORDER BY position");
-        while (query.executeStep()) use(row_in(query));
+        while (query.executeStep()) use(understood(path_, [&] { return row_in(query); }));
     });
 }
 

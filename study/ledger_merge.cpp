@@ -25,20 +25,39 @@ WHERE tiles.counts IS NULL AND p.bytes IS NOT NULL AND p.source = tiles.source A
     q.input_hash = c.input_hash AND q.configuration_hash = c.configuration_hash
 )sql";
 
+/// Another ledger within reach of a database, as long as it lives.
+class Attached {
+public:
+    Attached(SQLite::Database& database, const std::filesystem::path& part) : database_(&database) {
+        translated(part, [&] {
+            SQLite::Statement attach(database, "ATTACH DATABASE ? AS part");
+            attach.bind(1, part.string());
+            attach.exec();
+        });
+    }
+    Attached(const Attached&) = delete;
+    Attached& operator=(const Attached&) = delete;
+    ~Attached() { (void)database_->tryExec("DETACH DATABASE part"); }
+
+private:
+    SQLite::Database* database_;
+};
+
 }  // namespace
 
 TakenAnswers take_answers(const Ledger& ledger, const std::filesystem::path& part) {
     (void)Ledger(part, Ledger::Access::read);  // says what is wrong with it
-    return translated(part, [&] {
-        SQLite::Database& database = ledger.database();
-        SQLite::Statement attach(database, "ATTACH DATABASE ? AS part");
-        attach.bind(1, part.string());
-        attach.exec();
+    SQLite::Database& database = ledger.database();
+    const Attached attached(database, part);
+    translated(part, [&] {
+        const std::string answer = database.execAndGet("PRAGMA part.quick_check(1)").getString();
+        if (answer != "ok") refuse_damaged(part, answer);
+    });
+    return translated(ledger.path(), [&] {
         SQLite::Transaction transaction(database);
         const TakenAnswers taken{.spectra = static_cast<std::size_t>(database.exec(take_spectra)),
                                  .tiles = static_cast<std::size_t>(database.exec(take_tiles))};
         transaction.commit();
-        database.exec("DETACH DATABASE part");
         return taken;
     });
 }

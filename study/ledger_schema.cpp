@@ -59,6 +59,24 @@ CREATE TABLE notes (name TEXT PRIMARY KEY, text TEXT NOT NULL);
 
 constexpr int patience_ms = 5000;
 
+/// The file at `path` as a URI.
+std::string uri_of(const std::filesystem::path& path) {
+    std::string uri = "file:";
+    for (const char c : path.string()) {
+        uri += std::string_view("%?#").find(c) == std::string_view::npos
+                   ? std::string(1, c)
+                   : fmt::format("%{:02x}", static_cast<unsigned char>(c));
+    }
+    return uri;
+}
+
+/// Whether answers lie beside the file that have not been moved into it.
+bool has_log(const std::filesystem::path& path) {
+    std::error_code none;
+    const std::uintmax_t size = std::filesystem::file_size(path.string() + "-wal", none);
+    return !none && size > 0;
+}
+
 void check_kind(const SQLite::Database& database, const std::filesystem::path& path) {
     const auto pragma = [&](const char* query) {
         SQLite::Statement statement(database, query);
@@ -89,11 +107,7 @@ void make_tables(SQLite::Database& database) {
 
 void check_through(SQLite::Database& database, const std::filesystem::path& path) {
     const std::string answer = database.execAndGet("PRAGMA quick_check(1)").getString();
-    if (answer == "ok") return;
-    throw InputError({.where = path.string(),
-                      .problem = "is damaged",
-                      .why = answer,
-                      .remedy = "restore a copy, or move it away and run the study again"});
+    if (answer != "ok") refuse_damaged(path, answer);
 }
 
 }  // namespace
@@ -102,7 +116,8 @@ std::unique_ptr<SQLite::Database> open_ledger_to_write(const std::filesystem::pa
     return translated(path, [&] {
         auto database = std::make_unique<SQLite::Database>(path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
                                                            patience_ms);
-        const bool is_new = database->execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0;
+        const bool is_new = database->execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0 &&
+                            database->execAndGet("PRAGMA application_id").getInt() == 0;
         if (is_new) {
             make_tables(*database);
         } else {
@@ -143,8 +158,8 @@ std::unique_ptr<SQLite::Database> open_ledger_to_read(const std::filesystem::pat
             // writer.
             const bool cannot_share =
                 error.getErrorCode() == SQLITE_CANTOPEN || error.getErrorCode() == SQLITE_READONLY;
-            if (!cannot_share) throw;
-            return open("file:" + path.string() + "?immutable=1", SQLite::OPEN_URI);
+            if (!cannot_share || has_log(path)) throw;
+            return open(uri_of(path) + "?immutable=1", SQLite::OPEN_URI);
         }
     });
 }

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "core/input_error.hpp"
+#include "core/json.hpp"
 #include "core/text.hpp"
 #include "measurements/cells.hpp"
 
@@ -23,7 +24,7 @@ using Words = std::vector<std::string>;
 
 char separator_of(std::string_view header) {
     constexpr std::array marks = {',', ';', '\t'};
-    return *std::ranges::max_element(marks, {}, [header](char c) { return std::ranges::count(header, c); });
+    return *std::ranges::max_element(marks, {}, [header](char c) { return CellCutter(c).cut(header).size(); });
 }
 
 Words words_in(CellCutter& cutter, std::string_view line) {
@@ -77,6 +78,12 @@ std::vector<ManifestRow> parse_manifest(std::string_view text, const std::string
         ++number;
         if (trimmed(line).empty() || trimmed(line).starts_with('#')) continue;
         const std::string where = fmt::format("{}:{}", source, number);
+        if (!is_utf8(line)) {
+            throw InputError({.where = where,
+                              .problem = "is not UTF-8",
+                              .why = "words of other encodings cannot be told apart",
+                              .remedy = "export the table as CSV in UTF-8"});
+        }
         if (names.empty()) {
             cutter = CellCutter(separator_of(line));
             names = words_in(cutter, line);

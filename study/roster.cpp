@@ -6,6 +6,7 @@
 
 #include "core/hash.hpp"
 #include "core/input_error.hpp"
+#include "core/json.hpp"
 #include "measurements/spectrum_file.hpp"
 
 namespace skinfit {
@@ -52,7 +53,14 @@ Metadata metadata_in(const Spectrum& spectrum) {
 std::optional<Metadata> metadata_of_name(const NamePattern& pattern, const std::regex& compiled,
                                          const std::string& name) {
     std::smatch found;
-    if (!std::regex_search(name, found, compiled)) return std::nullopt;
+    try {
+        if (!std::regex_search(name, found, compiled)) return std::nullopt;
+    } catch (const std::regex_error& error) {
+        throw InputError({.where = name,
+                          .problem = fmt::format("cannot be searched for {}", pattern.expression),
+                          .why = error.what(),
+                          .remedy = "write a simpler pattern"});
+    }
     Metadata metadata;
     for (std::size_t i = 0; i < pattern.fields.size(); ++i) {
         metadata.emplace_back(pattern.fields[i], found[static_cast<int>(i) + 1].str());
@@ -60,12 +68,25 @@ std::optional<Metadata> metadata_of_name(const NamePattern& pattern, const std::
     return metadata;
 }
 
+/// The ledger keeps words as JSON.
+void check_words(const StudyFile& file, const Spectrum& spectrum, const Metadata& metadata) {
+    for (const auto& [name, word] : metadata) {
+        if (is_utf8(word)) continue;
+        throw InputError({.where = fmt::format("{}: {}", file.source, spectrum.name),
+                          .problem = fmt::format("its {} {} is not UTF-8", name, shown(word)),
+                          .why = "words of other encodings cannot be told apart",
+                          .remedy = "export the file as text in UTF-8"});
+    }
+}
+
 void add(const StudyFile& file, const Spectrum& spectrum, std::size_t number, const Metadata& metadata,
          StudySpectra& all) {
+    const Metadata known = merged(merged(metadata_in(spectrum), file.metadata), metadata);
+    check_words(file, spectrum, known);
     all.entries.push_back({.source = file.source,
                            .number = number,
                            .name = spectrum.name,
-                           .metadata = merged(merged(metadata_in(spectrum), file.metadata), metadata),
+                           .metadata = known,
                            .input_hash = input_hash_of(spectrum),
                            .refusal = {}});
     all.spectra.push_back(spectrum);
@@ -108,9 +129,9 @@ void add_selected(const StudyFile& file, const std::vector<Spectrum>& spectra, S
             } else {
                 all.entries.push_back(
                     unreadable(file, selected.where,
-                               fmt::format("{}: names no spectrum (other lines name spectra of {}); name one",
+                               fmt::format("{}: names no spectrum (other lines are about {} too); name one",
                                            selected.where, file.source),
-                               selected.metadata));
+                               merged(file.metadata, selected.metadata)));
                 all.spectra.emplace_back();
             }
             continue;
@@ -135,7 +156,7 @@ void add_selected(const StudyFile& file, const std::vector<Spectrum>& spectra, S
         all.entries.push_back(unreadable(file, selected.where,
                                          fmt::format("{}: \"{}\" {} of {}; see `skinfit inspect`", selected.where,
                                                      selected.spectrum, problem, file.source),
-                                         selected.metadata));
+                                         merged(file.metadata, selected.metadata)));
         all.spectra.emplace_back();
     }
 }
@@ -152,13 +173,14 @@ std::string input_hash_of(const Spectrum& spectrum) {
     bytes.add_optional(spectrum.geometry.specular);
     bytes.add_optional(spectrum.geometry.viewing_cone_deg);
     bytes.add(spectrum.instrument);
-    if (spectrum.bandpass) {
-        bytes.add(fmt::format("{} {}", static_cast<int>(spectrum.bandpass->shape), spectrum.bandpass->width_nm));
-    }
+    const std::optional<Bandpass>& bandpass = spectrum.bandpass;
+    bytes.add(bandpass ? fmt::format("{} {}", static_cast<int>(bandpass->shape), bandpass->width_nm) : std::string());
     for (const FileNote& note : spectrum.notes) {
         bytes.add(note.key);
         bytes.add(note.value);
     }
+    bytes.add(spectrum.unit_rule);     // decides findings, as
+    bytes.add(spectrum.sigma_source);  // this does
     for (const std::vector<double>& repeat : spectrum.repeats) bytes.add(repeat);
     bytes.add(fmt::format("{}", spectrum.missing));
     return content_hash(bytes.text());
@@ -180,9 +202,10 @@ StudySpectra read_study_file(const StudyFile& file) {
 }
 
 void refuse_duplicates(StudySpectra& spectra, std::map<std::string, std::string>& seen) {
+    constexpr std::size_t fewest = 3;  // readings: fewer may agree by chance, as in `duplicates`
     for (std::size_t i = 0; i < spectra.entries.size(); ++i) {
         RosterEntry& entry = spectra.entries[i];
-        if (entry.refusal) continue;
+        if (entry.refusal || spectra.spectra[i].value.size() < fewest) continue;
         Bytes values;
         values.add(spectra.spectra[i].wavelength_nm);
         values.add(spectra.spectra[i].value);

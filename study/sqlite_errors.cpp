@@ -25,8 +25,7 @@ void refuse_sqlite(const SQLite::Exception& error, const std::filesystem::path& 
             refuse("is no ledger", "name another output folder, or move this file away");
             break;
         case SQLITE_CORRUPT:
-            refuse("is damaged", "restore a copy, or move it away and run the study again");
-            break;
+            refuse_damaged(path, error.what());
         case SQLITE_BUSY:
         case SQLITE_LOCKED:
             refuse("is in use", "wait for the other process, or stop it");
@@ -39,6 +38,13 @@ void refuse_sqlite(const SQLite::Exception& error, const std::filesystem::path& 
             break;
     }
     throw;  // a bug of ours
+}
+
+void refuse_damaged(const std::filesystem::path& path, const std::string& why) {
+    throw InputError({.where = path.string(),
+                      .problem = "is damaged",
+                      .why = why,
+                      .remedy = "restore a copy, or move it away and run the study again"});
 }
 
 }  // namespace skinfit

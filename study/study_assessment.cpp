@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/input_error.hpp"
@@ -147,7 +148,7 @@ std::vector<ReferencePair> pairs_of(const Assessment& assessment, const std::vec
         const std::string word = word_of(each.row.metadata, assessment.metadata);
         if (word.empty()) continue;
         const std::optional<double> reference = parse_number(word);
-        if (!reference) {
+        if (!reference || !std::isfinite(*reference)) {
             throw InputError({.where = fmt::format("{} {}", each.row.key.source, each.row.key.name),
                               .problem = fmt::format("\"{}\" is \"{}\"", assessment.metadata, word),
                               .why = fmt::format("it is the reference value of {}, a number", assessment.name),

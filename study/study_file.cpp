@@ -9,6 +9,7 @@
 #include "fit/json_reading.hpp"
 #include "fit/named_instrument.hpp"
 #include "fit/settings.hpp"
+#include "measurements/quality.hpp"
 #include "study/question_reading.hpp"
 #include "study/study.hpp"
 #include "study/study_inputs.hpp"
@@ -64,11 +65,7 @@ std::optional<std::string> read_instrument(const Json& json, const std::filesyst
 
 /// Findings are named as `skinfit inspect` names them; a name that no check has would change nothing.
 void check_accepted(const std::vector<std::string>& names, const std::string& where) {
-    const std::vector<std::string_view> known = {
-        "unit_conflict",        "outside_0_1",    "offset",     "dark_everywhere",
-        "missing_values",       "outside_tables", "spikes",     "duplicate",
-        "collapse_at_end",      "falling_end",    "saturation", "no_haemoglobin",
-        "noise_against_repeats"};
+    const std::vector<std::string_view> known(quality_check_names.begin(), quality_check_names.end());
     for (const std::string& name : names) {
         if (std::ranges::find(known, name) == known.end()) refuse_unknown(where + ".accept", name, known);
     }

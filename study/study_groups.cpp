@@ -13,10 +13,6 @@
 namespace skinfit {
 namespace {
 
-bool has_answer(const AnsweredRow& each) {
-    return each.row.studied.status == FitStatus::fitted || each.row.studied.status == FitStatus::suspect;
-}
-
 std::string group_name(const Study& study, const LedgerRow& row) {
     std::string name;
     for (const std::string& key : study.group_by) {
@@ -80,7 +76,7 @@ std::vector<StudyGroup> groups_of(const Study& study, const std::vector<Answered
         if (is_new) groups.push_back({.name = place->first, .rows = {}});
         StudyGroup& group = groups[place->second];
         ++group.counts[static_cast<std::size_t>(each.row.studied.status)];
-        if (has_answer(each)) group.rows.push_back(&each);
+        if (has_answer(each.row.studied.status)) group.rows.push_back(&each);
     }
     return groups;
 }
@@ -128,7 +124,7 @@ std::vector<RepeatedEstimate> repeats_of(const Study& study, const std::vector<A
     std::vector<RepeatedEstimate> repeats;
     for (const AnsweredRow& each : rows) {
         const std::string specimen = word_of(each.row.metadata, study.repeats_of);
-        if (specimen.empty() || !has_answer(each)) continue;
+        if (specimen.empty() || !has_answer(each.row.studied.status)) continue;
         const std::optional<QuantityEstimate> estimate = estimate_of(each.row, quantity);
         if (estimate) repeats.push_back({.specimen = specimen, .estimate = estimate->value, .sigma = estimate->sigma});
     }

@@ -25,15 +25,28 @@ std::string word(const Json& value, const std::string& where) {
     refuse(where, value, "a word is needed", "write it between double quotes");
 }
 
-/// The files that a pattern names, sorted; a name without wildcards is itself, whether there is such a file or not.
+/// `folder` as a pattern that matches itself alone.
+std::string literal(const fs::path& folder) {
+    std::string pattern;
+    for (const char c : folder.string()) {
+        if (std::string_view("*?[]\\").find(c) != std::string_view::npos) pattern += '\\';
+        pattern += c;
+    }
+    return pattern;
+}
+
+/// The files that a pattern names, sorted; a name without wildcards, or that of a file, is itself, whether there is
+/// such a file or not.
 std::vector<fs::path> matches(const std::string& pattern, const fs::path& folder, const std::string& where) {
     const fs::path whole = folder / pattern;
-    if (pattern.find_first_of("*?[") == std::string::npos) return {whole};
+    std::error_code none;
+    if (pattern.find_first_of("*?[") == std::string::npos || fs::exists(whole, none)) return {whole};
     glob_t found{};
-    const int status = ::glob(whole.c_str(), GLOB_ERR, nullptr, &found);
+    const int status = ::glob((fs::path(literal(folder)) / pattern).c_str(), GLOB_ERR, nullptr, &found);
     std::vector<fs::path> paths;
     if (status == 0) paths.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
     ::globfree(&found);
+    std::erase_if(paths, [&](const fs::path& path) { return fs::is_directory(path, none); });
     if (!paths.empty()) return paths;
     throw InputError({.where = where,
                       .problem = fmt::format("no file matches {}", whole.string()),
@@ -54,6 +67,9 @@ Metadata read_metadata(const Json& json, const std::string& where) {
     if (!json.contains("metadata")) return metadata;
     require_object(json["metadata"], where + ".metadata", example);
     for (const auto& [name, value] : json["metadata"].items()) {
+        if (value.is_structured() || value.is_null()) {
+            refuse(fmt::format("{}.metadata.{}", where, name), value, "a word or a number is needed", example);
+        }
         metadata.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
     }
     return metadata;
@@ -67,7 +83,13 @@ std::optional<NamePattern> read_pattern(const Json& json, const std::string& whe
     NamePattern pattern{.expression = word(json["names"]["pattern"], here + ".pattern"), .fields = {}};
     const Json& fields = json["names"]["fields"];
     if (!fields.is_array()) refuse(here + ".fields", fields, "a list of words is needed", example);
-    for (const Json& field : fields) pattern.fields.push_back(word(field, here + ".fields"));
+    for (const Json& field : fields) {
+        const std::string name = word(field, here + ".fields");
+        if (std::ranges::find(pattern.fields, name) != pattern.fields.end()) {
+            refuse(here + ".fields", field, "another group has it", "give each a name of its own");
+        }
+        pattern.fields.push_back(name);
+    }
     try {
         const std::regex compiled(pattern.expression);
         if (compiled.mark_count() != pattern.fields.size()) {

@@ -1,6 +1,7 @@
 #include "study/study_output.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <numeric>
@@ -58,31 +59,41 @@ std::optional<double> correlation_of(const StudiedSpectrum& studied, const std::
 
 class Line {
 public:
-    void add(const std::string& text) { text_ += (text_.empty() ? "" : ",") + csv_cell(text); }
-    [[nodiscard]] std::string ended() const { return text_ + "\n"; }
+    void add(const std::string& text) { cells_.push_back(csv_cell(text)); }
+    [[nodiscard]] std::string ended() const { return fmt::format("{}\n", fmt::join(cells_, ",")); }
 
 private:
-    std::string text_;
+    std::vector<std::string> cells_;
 };
 
+/// Words of the metadata go under their own names, unless another column has the name.
+std::string metadata_column(const std::string& name, const std::vector<std::string>& others) {
+    return std::ranges::find(others, name) == others.end() ? name : "metadata_" + name;
+}
+
 std::string header_line(const Study& study, const Columns& columns) {
-    Line line;
-    for (const char* name : {"source", "number", "spectrum", "status", "verdict", "reason"}) line.add(name);
-    for (const std::string& name : columns.metadata) line.add(name);
+    const std::vector<std::string> first = {"source", "number", "spectrum", "status", "verdict", "reason"};
+    std::vector<std::string> last;
     for (const std::string& name : columns.parameters) {
-        line.add(name);
-        for (const char* part : {"sigma", "lower_95", "upper_95", "status"}) line.add(name + "_" + part);
+        last.push_back(name);
+        for (const char* part : {"sigma", "lower_95", "upper_95", "status"}) last.push_back(name + "_" + part);
     }
     for (const std::string& name : columns.indices) {
-        line.add(name);
-        line.add(name + "_sigma");
+        last.push_back(name);
+        last.push_back(name + "_sigma");
     }
-    for (const Indicator& indicator : study.indicators) line.add("p_" + indicator.name);
-    for (const auto& [a, b] : columns.correlated) line.add(fmt::format("correlation_{}_{}", a, b));
+    for (const Indicator& indicator : study.indicators) last.push_back("p_" + indicator.name);
+    for (const auto& [a, b] : columns.correlated) last.push_back(fmt::format("correlation_{}_{}", a, b));
     for (const char* name :
          {"rmse", "chi2", "degrees_of_freedom", "p_value", "input_hash", "configuration_hash", "seconds"}) {
-        line.add(name);
+        last.emplace_back(name);
     }
+    std::vector<std::string> others = first;
+    others.insert(others.end(), last.begin(), last.end());
+    Line line;
+    for (const std::string& name : first) line.add(name);
+    for (const std::string& name : columns.metadata) line.add(metadata_column(name, others));
+    for (const std::string& name : last) line.add(name);
     return line.ended();
 }
 
@@ -206,8 +217,10 @@ std::string counts_text(const StatusCounts& counts) {
 std::string csv_cell(const std::string& text) {
     if (text.find_first_of(",;\"\n\r\t") == std::string::npos) return text;
     std::string quoted = "\"";
-    for (const char c : text)
-        quoted += c == '"' ? std::string("\"\"") : std::string(1, c == '\n' || c == '\r' ? ' ' : c);
+    for (const char c : text) {
+        if (c == '"') quoted += '"';
+        quoted += c == '\n' || c == '\r' ? ' ' : c;
+    }
     return quoted + "\"";
 }
 
@@ -224,7 +237,8 @@ StudyCounts counts_of(const Ledger& ledger) {
 
 std::string status_text(const StudyCounts& counts) {
     const auto spectra = std::accumulate(counts.spectra.begin(), counts.spectra.end(), std::uint64_t{0});
-    std::string text = fmt::format("{} spectra: {}\n", spectra, counts_text(counts.spectra));
+    std::string text =
+        fmt::format("{} {}: {}\n", spectra, spectra == 1 ? "spectrum" : "spectra", counts_text(counts.spectra));
     if (counts.cubes > 0) {
         text += fmt::format("{} {}, {} with a map; pixels: {}\n", counts.cubes, counts.cubes == 1 ? "cube" : "cubes",
                             counts.maps, counts_text(counts.pixels));

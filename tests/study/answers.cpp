@@ -1,0 +1,129 @@
+#include "study/answers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/study/example_rows.hpp"
+
+namespace skinfit {
+namespace {
+
+using test::example_estimate;
+using test::example_row;
+
+Indicator above(const std::string& quantity, double threshold) {
+    return {.name = "asked",
+            .quantity = quantity,
+            .above = true,
+            .threshold = threshold,
+            .reference = {},
+            .source = "the example"};
+}
+
+Indicator below_reference() {
+    Indicator indicator = above("oxygen_saturation", 0.0);
+    indicator.above = false;
+    indicator.threshold.reset();
+    indicator.reference = ReferenceSite{.same = "subject", .where = {{"site", "forearm"}}};
+    return indicator;
+}
+
+LedgerRow saturated(const std::string& subject, const std::string& site, double value) {
+    return example_row(subject + site, {{"subject", subject}, {"site", site}},
+                       example_estimate("oxygen_saturation", value, 0.05));
+}
+
+std::vector<AnsweredRow> answers(const std::vector<Indicator>& indicators, const std::vector<LedgerRow>& rows) {
+    Study study;
+    study.indicators = indicators;
+    return answered(study, rows);
+}
+
+TEST(Answers, BelowIsTheComplementOfAbove) {
+    Indicator other = above("oxygen_saturation", 0.55);
+    other.above = false;
+    const IndicatorAnswer yes =
+        answers({above("oxygen_saturation", 0.55), other}, {saturated("a", "", 0.5)})[0].indicators[0];
+    const IndicatorAnswer no =
+        answers({above("oxygen_saturation", 0.55), other}, {saturated("a", "", 0.5)})[0].indicators[1];
+    EXPECT_DOUBLE_EQ(yes.probability.value() + no.probability.value(), 1.0);
+    EXPECT_NEAR(*yes.probability, std::erfc(std::sqrt(0.5)) / 2.0, 1.0 / 200);
+    EXPECT_EQ(yes.why_none, "");
+}
+
+TEST(Answers, OnlySpectraWithAnAnswerHaveProbabilities) {
+    for (const FitStatus status : {FitStatus::pending, FitStatus::rejected, FitStatus::failed}) {
+        LedgerRow row = saturated("a", "", 0.5);
+        row.studied.status = status;
+        const std::vector<AnsweredRow> found = answers({above("oxygen_saturation", 0.55)}, {row});
+        EXPECT_FALSE(found[0].indicators[0].probability);
+        EXPECT_EQ(found[0].indicators[0].why_none, name_of(status));
+        EXPECT_FALSE(estimate_of(row, "oxygen_saturation")) << "a search that did not converge has no estimate";
+    }
+    LedgerRow row = saturated("a", "", 0.5);
+    row.studied.status = FitStatus::suspect;
+    EXPECT_TRUE(answers({above("oxygen_saturation", 0.55)}, {row})[0].indicators[0].probability);
+}
+
+TEST(Answers, SayWhyThereIsNone) {
+    LedgerRow row = saturated("a", "", 0.5);
+    EXPECT_EQ(answers({above("bilirubin_g_per_l", 0.1)}, {row})[0].indicators[0].why_none,
+              "bilirubin_g_per_l is not known");
+    row.studied.parameters[0].status = Status::not_identifiable;
+    EXPECT_EQ(answers({above("oxygen_saturation", 0.1)}, {row})[0].indicators[0].why_none,
+              "oxygen_saturation is not identifiable");
+    EXPECT_EQ(answers({below_reference()}, {saturated("a", "foot", 0.4)})[0].indicators[0].why_none,
+              "no reference of the same specimen");
+    EXPECT_EQ(answers({below_reference()}, {saturated("a", "forearm", 0.4)})[0].indicators[0].why_none, "a reference");
+}
+
+/// P(a < b) of normals 0.1 apart, each of sigma 0.05, within the resolution of their quantiles.
+TEST(Answers, AReferenceIsThatOfTheSameSpecimen) {
+    const std::vector<LedgerRow> rows = {saturated("a", "foot", 0.4), saturated("a", "forearm", 0.5),
+                                         saturated("b", "forearm", 0.2), saturated("b", "foot", 0.4)};
+    const std::vector<AnsweredRow> found = answers({below_reference()}, rows);
+    const double phi = std::erfc(-0.1 / 0.05 / 2.0) / 2.0;
+    EXPECT_NEAR(found[0].indicators[0].probability.value(), phi, 1.5 / 200);
+    EXPECT_NEAR(found[3].indicators[0].probability.value(), std::erfc(0.2 / 0.05 / 2.0) / 2.0, 1.5 / 200);
+}
+
+TEST(Answers, OfSeveralReferencesTheMeanCounts) {
+    const std::vector<LedgerRow> one = {saturated("a", "foot", 0.4), saturated("a", "forearm", 0.45)};
+    const std::vector<LedgerRow> other = {saturated("a", "foot", 0.4), saturated("a", "forearm", 0.38)};
+    const std::vector<LedgerRow> both = {one[0], one[1], other[1]};
+    const double mean = (answers({below_reference()}, one)[0].indicators[0].probability.value() +
+                         answers({below_reference()}, other)[0].indicators[0].probability.value()) /
+                        2.0;
+    EXPECT_NEAR(answers({below_reference()}, both)[0].indicators[0].probability.value(), mean, 1e-15);
+}
+
+TEST(Answers, AReferenceWithoutAnAnswerIsNone) {
+    for (const FitStatus status : {FitStatus::rejected, FitStatus::failed, FitStatus::pending}) {
+        std::vector<LedgerRow> rows = {saturated("a", "foot", 0.4), saturated("a", "forearm", 0.5)};
+        rows[1].studied.status = status;
+        EXPECT_EQ(answers({below_reference()}, rows)[0].indicators[0].why_none, "no reference of the same specimen");
+    }
+}
+
+TEST(Answers, WithoutAWordForTheSpecimenNothingIsTheSame) {
+    std::vector<LedgerRow> rows = {saturated("", "foot", 0.4), saturated("", "forearm", 0.5)};
+    EXPECT_FALSE(answers({below_reference()}, rows)[0].indicators[0].probability);
+    for (LedgerRow& row : rows) row.metadata.erase(row.metadata.begin());
+    EXPECT_FALSE(answers({below_reference()}, rows)[0].indicators[0].probability);
+}
+
+TEST(Answers, AnIndexIsAQuantityToo) {
+    LedgerRow row = saturated("a", "", 0.5);
+    row.studied.indices = {{.name = "melanin_index", .value = 40.0, .sigma = 2.0}};
+    EXPECT_NEAR(answers({above("melanin_index", 42.0)}, {row})[0].indicators[0].probability.value(),
+                std::erfc(std::sqrt(0.5)) / 2.0, 1.0 / 200);
+    EXPECT_EQ(estimate_of(row, "melanin_index")->value, 40.0);
+    EXPECT_EQ(estimate_of(row, "melanin_index")->sigma, 2.0);
+    EXPECT_FALSE(estimate_of(row, "melanin_index")->interval_95);
+    EXPECT_EQ(estimate_of(row, "oxygen_saturation")->interval_95->upper, row.studied.parameters[0].interval_95.upper);
+    EXPECT_FALSE(estimate_of(row, "erythema_index"));
+}
+
+}  // namespace
+}  // namespace skinfit
