@@ -18,6 +18,13 @@ void add_validate_command(CLI::App& app, int& exit_code);
 /// A subcommand of `validate`.
 void add_validate_inverse_command(CLI::App& validate, int& exit_code);
 void add_study_command(CLI::App& app, int& exit_code);
+/// Subcommands of `study`.
+void add_study_run_command(CLI::App& study, int& exit_code);
+void add_study_status_command(CLI::App& study, int& exit_code);
+void add_study_export_command(CLI::App& study, int& exit_code);
+void add_study_report_command(CLI::App& study, int& exit_code);
+void add_study_power_command(CLI::App& study, int& exit_code);
+void add_study_merge_command(CLI::App& study, int& exit_code);
 void add_bench_command(CLI::App& app, int& exit_code);
 void add_convert_command(CLI::App& app, int& exit_code);
 void add_config_command(CLI::App& app, int& exit_code);

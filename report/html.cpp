@@ -20,7 +20,7 @@ bool is_control(char c) {
     return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7f;
 }
 
-bool is_colour(std::string_view hex) {
+[[maybe_unused]] bool is_colour(std::string_view hex) {
     return hex.size() == 7 && hex.front() == '#' &&
            hex.find_first_not_of("0123456789abcdef", 1) == std::string_view::npos;
 }
