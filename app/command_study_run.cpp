@@ -69,6 +69,20 @@ void end_on_interrupt() {
     });
 }
 
+Progress shown(const StudyProgress& progress) {
+    constexpr std::uint64_t pixels_per_spectrum = 20;  // in time, about
+    std::string what;
+    if (progress.spectra_to_do > 0) what = fmt::format("{}/{} spectra", progress.spectra, progress.spectra_to_do);
+    if (progress.pixels_to_do > 0) {
+        what += fmt::format("{}{}/{} pixels", what.empty() ? "" : ", ", progress.pixels, progress.pixels_to_do);
+    }
+    return {.done = progress.spectra * pixels_per_spectrum + progress.pixels,
+            .total = progress.spectra_to_do * pixels_per_spectrum + progress.pixels_to_do,
+            .what = what,
+            .count = progress.spectra + progress.pixels,
+            .unit = progress.pixels_to_do == 0 ? "spectra" : (progress.spectra_to_do == 0 ? "pixels" : "fits")};
+}
+
 StudyRunOptions options_of(const StudyRunCommand& command, const Study& study, ProgressLine& line) {
     SharedOptions cache;
     cache.no_cache = command.no_cache;
@@ -77,18 +91,7 @@ StudyRunOptions options_of(const StudyRunCommand& command, const Study& study, P
     options.cache = cache_from(cache);
     options.part = part_of(command);
     options.ledger = ledger_of(command.shared, study);
-    options.progress = [&line](const StudyProgress& progress) {
-        // A pixel costs a hundredth of a spectrum or less.
-        constexpr std::uint64_t pixels_per_spectrum = 100;
-        line.show({.done = progress.spectra * pixels_per_spectrum + progress.pixels,
-                   .total = progress.spectra_to_do * pixels_per_spectrum + progress.pixels_to_do,
-                   .what = progress.pixels_to_do == 0
-                               ? fmt::format("{}/{} spectra", progress.spectra, progress.spectra_to_do)
-                               : fmt::format("{}/{} spectra, {}/{} pixels", progress.spectra, progress.spectra_to_do,
-                                             progress.pixels, progress.pixels_to_do),
-                   .count = progress.spectra + progress.pixels,
-                   .unit = progress.pixels_to_do == 0 ? "spectra" : "fits"});
-    };
+    options.progress = [&line](const StudyProgress& progress) { line.show(shown(progress)); };
     options.tell = [&line](const std::string& text) { line.tell(text); };
     options.stop = [] { return interrupted.load(); };
     return options;
