@@ -8,7 +8,7 @@ namespace skinfit {
 /// What a run of the program ended with.
 enum ExitCode : int { trustworthy_result = 0, result_with_warning = 1, bad_input = 2, internal_error = 3 };
 
-void add_fit_command(CLI::App& app, int& exit_code);
+void add_fit_command(CLI::App& app, int& exit_code, const std::string& command_line);
 void add_inspect_command(CLI::App& app, int& exit_code);
 void add_simulate_command(CLI::App& app, int& exit_code);
 void add_sensitivity_command(CLI::App& app, int& exit_code);

@@ -10,6 +10,7 @@
 #include "fit/diagnosis.hpp"
 #include "fit/inference.hpp"
 #include "fit/misfit_description.hpp"
+#include "fit/model_band.hpp"
 #include "fit/models.hpp"
 #include "fit/multistart.hpp"
 #include "fit/objective.hpp"
@@ -79,6 +80,16 @@ std::vector<FittedParameter> free_rows(const FitProblem& problem, const Minimum&
     return rows;
 }
 
+/// Gives each spectrum its part of the band of all readings.
+void add_model_band(const std::vector<Bounds>& band, std::vector<FittedSpectrum>& spectra) {
+    auto first = band.begin();
+    for (FittedSpectrum& spectrum : spectra) {
+        const auto last = first + static_cast<std::ptrdiff_t>(spectrum.modelled.size());
+        spectrum.modelled_95.assign(first, last);
+        first = last;
+    }
+}
+
 std::vector<FittedParameter> fixed_rows(const Configuration& configuration) {
     std::vector<FittedParameter> rows;
     for (const ParameterInfo& info : parameter_table()) {
@@ -117,6 +128,7 @@ FitResult fit_spectra(const Configuration& configuration, std::span<const Spectr
     result.configuration = spectra.size() == 1 ? resolved(configuration, spectra.front()) : configuration;
     result.findings = options.findings;
     describe_misfit(objective, minimum, spectra, result);
+    add_model_band(model_band(objective, inference), result.spectra);
     result.free = free_rows(problem, minimum, inference.uncertainty, configuration);
     result.fixed = fixed_rows(configuration);
     result.correlation = inference.uncertainty.correlation;
