@@ -9,6 +9,7 @@
 #include "core/version.hpp"
 #include "fit/report.hpp"
 #include "study/colour_classes.hpp"
+#include "study/study_assessment.hpp"
 
 namespace skinfit {
 namespace {
@@ -282,6 +283,8 @@ Json study_json(const Study& study, const Ledger& ledger, const std::vector<Answ
     json["configuration"] = Json::parse(ledger.note("configuration"));
     json.update(definitions_json(study));
     json["counts"] = status_json(counts_of(ledger));
+    json["repeatability"] = repeatability_json(study, rows);
+    json["assessments"] = assessments_json(study, rows);
     json["spectra"] = Json::array();
     for (const AnsweredRow& each : rows) json["spectra"].push_back(row_json(study, each));
     json["cubes"] = cubes_json(ledger);

@@ -33,7 +33,7 @@ struct StudyCounts {
 [[nodiscard]] std::string study_csv(const Study& study, const std::vector<AnsweredRow>& rows);
 
 /// The same as JSON, with the study's name, the configuration of its fits, the definitions of indicators and indices,
-/// and the cubes.
+/// repeatability and assessments, and the cubes. Throws InputError as `pairs_of`.
 [[nodiscard]] Json study_json(const Study& study, const Ledger& ledger, const std::vector<AnsweredRow>& rows);
 
 /// `text` as one cell of a table: in quotes where it needs them, with blanks for ends of lines.
