@@ -17,6 +17,9 @@ void add_gonio_command(CLI::App& app, int& exit_code);
 void add_validate_command(CLI::App& app, int& exit_code);
 /// A subcommand of `validate`.
 void add_validate_inverse_command(CLI::App& validate, int& exit_code);
+void add_study_command(CLI::App& app, int& exit_code);
+/// A subcommand of `study`.
+void add_study_simulate_command(CLI::App& study, int& exit_code);
 void add_bench_command(CLI::App& app, int& exit_code);
 void add_convert_command(CLI::App& app, int& exit_code);
 void add_config_command(CLI::App& app, int& exit_code);

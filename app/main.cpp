@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
     skinfit::add_design_command(app, exit_code);
     skinfit::add_gonio_command(app, exit_code);
     skinfit::add_validate_command(app, exit_code);
+    skinfit::add_study_command(app, exit_code);
     skinfit::add_bench_command(app, exit_code);
     skinfit::add_convert_command(app, exit_code);
     skinfit::add_config_command(app, exit_code);
