@@ -11,6 +11,7 @@ void add_study_command(CLI::App& app, int& exit_code) {
     add_study_report_command(*study, exit_code);
     add_study_power_command(*study, exit_code);
     add_study_merge_command(*study, exit_code);
+    add_study_simulate_command(*study, exit_code);
 }
 
 }  // namespace skinfit

@@ -40,8 +40,8 @@ int export_it(const StudyResultCommand& command) {
     check_output(output, inputs);
     const Ledger ledger(ledger_of(command.shared, study), Ledger::Access::read);
     const std::vector<AnsweredRow> rows = answered(study, ledger.rows());
-    write_output(output,
-                 command.shared.format == "json" ? json_text(study_json(study, ledger, rows)) : study_csv(study, rows));
+    write_output(output, command.shared.format == "json" ? json_text(results_json(study, ledger, rows))
+                                                         : study_csv(study, rows));
     return trustworthy_result;
 }
 

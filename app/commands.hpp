@@ -25,6 +25,7 @@ void add_study_export_command(CLI::App& study, int& exit_code);
 void add_study_report_command(CLI::App& study, int& exit_code);
 void add_study_power_command(CLI::App& study, int& exit_code);
 void add_study_merge_command(CLI::App& study, int& exit_code);
+void add_study_simulate_command(CLI::App& study, int& exit_code);
 void add_bench_command(CLI::App& app, int& exit_code);
 void add_convert_command(CLI::App& app, int& exit_code);
 void add_config_command(CLI::App& app, int& exit_code);

@@ -278,7 +278,7 @@ std::string study_csv(const Study& study, const std::vector<AnsweredRow>& rows) 
     return text;
 }
 
-Json study_json(const Study& study, const Ledger& ledger, const std::vector<AnsweredRow>& rows) {
+Json results_json(const Study& study, const Ledger& ledger, const std::vector<AnsweredRow>& rows) {
     Json json = {{"study", study.name}, {"version", ledger.note("version")}};
     json["configuration"] = Json::parse(ledger.note("configuration"));
     json.update(definitions_json(study));

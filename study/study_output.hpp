@@ -34,7 +34,7 @@ struct StudyCounts {
 
 /// The same as JSON, with the study's name, the configuration of its fits, the definitions of indicators and indices,
 /// repeatability and assessments, and the cubes. Throws InputError as `pairs_of`.
-[[nodiscard]] Json study_json(const Study& study, const Ledger& ledger, const std::vector<AnsweredRow>& rows);
+[[nodiscard]] Json results_json(const Study& study, const Ledger& ledger, const std::vector<AnsweredRow>& rows);
 
 /// `text` as one cell of a table: in quotes where it needs them, with blanks for ends of lines.
 [[nodiscard]] std::string csv_cell(const std::string& text);
