@@ -55,15 +55,6 @@ std::string shown(const Json& json) {
     return text.size() <= longest ? text : text.substr(0, longest) + "...";
 }
 
-bool is_utf8(std::string_view text) {
-    try {
-        (void)Json(text).dump();
-        return true;
-    } catch (const Json::type_error&) {
-        return false;
-    }
-}
-
 Json parsed_json(std::string_view text, const std::string& where, const std::string& example) {
     try {
         Watcher watcher(where);

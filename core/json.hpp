@@ -11,9 +11,6 @@ using Json = nlohmann::ordered_json;
 /// `json` as it stands in messages: on one line, cut where it is long; bytes that are not UTF-8 are replaced.
 [[nodiscard]] std::string shown(const Json& json);
 
-/// Whether `text` is UTF-8, as all text in JSON is.
-[[nodiscard]] bool is_utf8(std::string_view text);
-
 /// The JSON in `text`, comments allowed; `example`, a clause, says where a good one is to be seen. Throws InputError
 /// naming `where` for text that is no JSON, gives a name twice, nests more than 64 deep, or has more than 1000 names in
 /// one object.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -17,19 +16,9 @@ enum class Severity : std::uint8_t {
     warning,  ///< a fit of the spectrum cannot be trusted
 };
 
-/// The names of all checks, as their findings bear them.
-inline constexpr std::array<std::string_view, 14> quality_check_names = {
-    "unit_conflict",  "outside_0_1",
-    "offset",         "dark_everywhere",
-    "missing_values", "outside_tables",
-    "spikes",         "collapse_at_end",
-    "falling_end",    "saturation",
-    "no_haemoglobin", "noise_against_repeats",
-    "duplicate",      "reflectance_plus_transmittance"};
-
 /// Something about a spectrum that its user should know before it is fitted.
 struct Finding {
-    std::string name;  ///< one of `quality_check_names`
+    std::string name;  ///< of the check, as in `collapse_at_end`
     Severity severity = Severity::warning;
     std::string spectrum;  ///< its name
     std::string message;   ///< what was found, with the numbers that decided

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "measurements/quality.hpp"
@@ -11,6 +13,16 @@
 /// spectra of [VRHEL94], [COOKSEY17], [XIAO16], [LU25] and [BIERMAN11] that look sound: 2427 spectra. A spectrum whose
 /// quantity is not stated is checked as a reflectance.
 namespace skinfit {
+
+/// The names of all checks, as their findings bear them.
+inline constexpr std::array<std::string_view, 14> quality_check_names = {
+    "unit_conflict",  "outside_0_1",
+    "offset",         "dark_everywhere",
+    "missing_values", "outside_tables",
+    "spikes",         "collapse_at_end",
+    "falling_end",    "saturation",
+    "no_haemoglobin", "noise_against_repeats",
+    "duplicate",      "reflectance_plus_transmittance"};
 
 /// `unit_conflict`: the unit is fraction, and half of the values or more exceed `largest_fraction`; or it is percent,
 /// and no value exceeds `largest_fraction` percent.

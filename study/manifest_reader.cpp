@@ -6,8 +6,8 @@
 #include <array>
 
 #include "core/input_error.hpp"
-#include "core/json.hpp"
 #include "core/text.hpp"
+#include "core/utf8.hpp"
 #include "measurements/cells.hpp"
 
 namespace skinfit {
@@ -47,7 +47,7 @@ void check_header(const Words& names, const std::string& where) {
 
 ManifestRow row_of(const Words& names, const Words& cells, const std::string& where) {
     if (cells.size() != names.size()) {
-        refuse_manifest(where, fmt::format("{} cells", cells.size()),
+        refuse_manifest(where, fmt::format("has {} {}", cells.size(), cells.size() == 1 ? "cell" : "cells"),
                         fmt::format("the header names {} columns", names.size()));
     }
     ManifestRow row{.file = {}, .selected = {.spectrum = {}, .metadata = {}, .where = where}};

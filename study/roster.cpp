@@ -7,6 +7,7 @@
 #include "core/hash.hpp"
 #include "core/input_error.hpp"
 #include "core/json.hpp"
+#include "core/utf8.hpp"
 #include "measurements/spectrum_file.hpp"
 
 namespace skinfit {

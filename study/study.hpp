@@ -82,7 +82,7 @@ struct Assessment {
     bool is_indicator = true;             ///< compared with a label, else with numbers
     std::string metadata;                 ///< the label, or the reference value in the quantity's unit
     std::string positive;                 ///< the word of the label that stands for yes
-    std::vector<double> thresholds{0.5};  ///< probabilities above which the answer is yes
+    std::vector<double> thresholds{0.5};  ///< probabilities from which the answer is yes
 };
 
 /// A study, as its file describes it.

@@ -9,7 +9,7 @@
 #include "fit/json_reading.hpp"
 #include "fit/named_instrument.hpp"
 #include "fit/settings.hpp"
-#include "measurements/quality.hpp"
+#include "measurements/quality_checks.hpp"
 #include "study/question_reading.hpp"
 #include "study/study.hpp"
 #include "study/study_inputs.hpp"
@@ -24,10 +24,12 @@ std::vector<std::string> read_words(const Json& json, std::string_view key, cons
     if (!json.contains(key)) return words;
     const Json& value = json.at(key);
     const std::string here = fmt::format("{}.{}", where, key);
-    if (value.is_string()) return {value.get<std::string>()};
-    if (!value.is_array()) refuse(here, value, "a list of words is needed", "write [\"...\", \"...\"]");
-    for (const Json& each : value) {
-        if (!each.is_string()) refuse(here, each, "words are needed", "write it between double quotes");
+    const Json list = value.is_string() ? Json::array({value}) : value;
+    if (!list.is_array()) refuse(here, value, "a list of words is needed", "write [\"...\", \"...\"]");
+    for (const Json& each : list) {
+        if (!each.is_string() || each.get<std::string>().empty()) {
+            refuse(here, each, "a word is needed", "write it between double quotes");
+        }
         words.push_back(each.get<std::string>());
     }
     return words;

@@ -1,0 +1,147 @@
+#include "study/crew.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <stdexcept>
+
+namespace skinfit {
+namespace {
+
+std::string doubled(const std::string& task) {
+    return task + task;
+}
+
+/// What became of tasks.
+struct Taken {
+    std::vector<int> times;
+    std::vector<std::size_t> order;
+
+    explicit Taken(std::size_t tasks) : times(tasks, 0) {}
+    [[nodiscard]] Leading leading(std::function<bool()> stop = [] { return false; }) {
+        return {.tasks = times.size(),
+                .text = [](std::size_t number) { return std::to_string(number); },
+                .take =
+                    [this](const DoneTask& task) {
+                        EXPECT_EQ(task.result, doubled(std::to_string(task.number)));
+                        ++times[task.number];
+                        order.push_back(task.number);
+                    },
+                .stop = std::move(stop)};
+    }
+    void expect_each_once() const {
+        EXPECT_TRUE(std::ranges::all_of(times, [](int count) { return count == 1; }));
+    }
+};
+
+/// Crews elsewhere that ask `asking` times for tasks at first, and answer the last task first.
+class FakeCrews {
+public:
+    explicit FakeCrews(int asking) : waiting_(asking) {}
+    [[nodiscard]] RemoteCrews crews() {
+        return {.receive =
+                    [this] {
+                        std::vector<DoneTask> done;
+                        done.swap(tasks_);
+                        std::ranges::reverse(done);
+                        waiting_ += static_cast<int>(done.size());
+                        return done;
+                    },
+                .give =
+                    [this](std::size_t number, const std::string& task) {
+                        if (waiting_ == 0) return false;
+                        --waiting_;
+                        ++given;
+                        tasks_.push_back({.number = number, .result = doubled(task)});
+                        return true;
+                    }};
+    }
+    std::size_t given = 0;
+
+private:
+    int waiting_;
+    std::vector<DoneTask> tasks_;
+};
+
+TEST(Crew, DoesEveryTaskOnce) {
+    for (const int threads : {1, 2, 7}) {
+        for (const std::size_t tasks : {0U, 1U, 3U, 500U}) {
+            ThreadCrew crew(threads, doubled);
+            Taken taken(tasks);
+            EXPECT_EQ(lead(crew, taken.leading(), nullptr), tasks);
+            taken.expect_each_once();
+            EXPECT_EQ(crew.outstanding(), 0U);
+        }
+    }
+}
+
+TEST(Crew, SharesTasksWithCrewsElsewhere) {
+    FakeCrews elsewhere(3);
+    const RemoteCrews crews = elsewhere.crews();
+    ThreadCrew crew(2, doubled);
+    Taken taken(500);
+    EXPECT_EQ(lead(crew, taken.leading(), &crews), 500U);
+    taken.expect_each_once();
+    EXPECT_GT(elsewhere.given, 0U);
+    EXPECT_FALSE(std::ranges::is_sorted(taken.order)) << "results came in another order than tasks went";
+}
+
+TEST(Crew, NeedsNoneElsewhere) {
+    FakeCrews elsewhere(0);
+    const RemoteCrews crews = elsewhere.crews();
+    ThreadCrew crew(2, doubled);
+    Taken taken(50);
+    EXPECT_EQ(lead(crew, taken.leading(), &crews), 50U);
+    taken.expect_each_once();
+    EXPECT_EQ(elsewhere.given, 0U);
+}
+
+TEST(Crew, GivesNothingAfterAStopAndTakesWhatHasBegun) {
+    for (const bool remote : {false, true}) {
+        FakeCrews elsewhere(3);
+        const RemoteCrews crews = elsewhere.crews();
+        std::atomic<int> begun = 0;
+        ThreadCrew crew(2, [&](const std::string& task) {
+            ++begun;
+            return doubled(task);
+        });
+        Taken taken(500);
+        const std::size_t done =
+            lead(crew, taken.leading([&] { return taken.order.size() >= 10; }), remote ? &crews : nullptr);
+        EXPECT_EQ(done, taken.order.size());
+        EXPECT_EQ(done, static_cast<std::size_t>(begun) + elsewhere.given) << "nothing that had begun was dropped";
+        EXPECT_GE(done, 10U);
+        EXPECT_LT(done, 100U);
+        EXPECT_TRUE(std::ranges::all_of(taken.times, [](int count) { return count <= 1; }));
+    }
+    ThreadCrew crew(2, doubled);
+    Taken taken(5);
+    EXPECT_EQ(lead(crew, taken.leading([] { return true; }), nullptr), 0U);
+}
+
+TEST(Crew, WhatTakingThrowsEndsIt) {
+    ThreadCrew crew(2, doubled);
+    Taken taken(100);
+    Leading leading = taken.leading();
+    leading.take = [](const DoneTask&) { throw std::runtime_error("the disk is full"); };
+    EXPECT_THROW(lead(crew, leading, nullptr), std::runtime_error);
+}
+
+TEST(Crew, IsSentHomeWithTasksLeft) {
+    std::atomic<int> begun = 0;
+    {
+        ThreadCrew crew(2, [&](const std::string& task) {
+            ++begun;
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            return task;
+        });
+        for (std::size_t i = 0; i < 1000; ++i) crew.give(i, "");
+        EXPECT_TRUE(crew.take(std::chrono::seconds(60)));
+        EXPECT_EQ(crew.outstanding(), 999U);
+    }
+    EXPECT_LT(begun, 1000);
+}
+
+}  // namespace
+}  // namespace skinfit
