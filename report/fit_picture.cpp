@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "fit/gnuplot.hpp"
 #include "measurements/words.hpp"
@@ -17,9 +18,9 @@ constexpr int cell_height = 620;
 constexpr int left_margin = 95;
 constexpr int right_margin = 25;
 constexpr int above = 45;
-constexpr int between = 18;
+constexpr int between = 26;
 constexpr int residual_height = 165;
-constexpr int below = 60;
+constexpr int below = 66;
 
 constexpr std::size_t most_columns = 3;
 constexpr std::size_t most_error_bars = 80;  // more would hide the points
@@ -86,15 +87,28 @@ std::string frame(const PictureSize& size, const Cell& cell, int top, int bottom
         left / size.width, right / size.width, 1.0 - (first + top) / size.height, 1.0 - (first + bottom) / size.height);
 }
 
+/// The name, cut where it is long.
+std::string short_name(const FittedSpectrum& spectrum) {
+    const std::string quoted = in_quotes(spectrum.name);
+    return valid_utf8(quoted.substr(1, quoted.size() - 2));
+}
+
+/// 1, 2 or 5 times a power of ten, four or five of which make `range`; 1 for none.
+double tic_step(double range) {
+    if (!(range > 0.0)) return 1.0;
+    const double decade = std::pow(10.0, std::floor(std::log10(range / 4.0)));
+    const double rest = range / 4.0 / decade;
+    return decade * (rest >= 5.0 ? 5.0 : rest >= 2.0 ? 2.0 : 1.0);
+}
+
 std::string spectrum_panel(const FittedSpectrum& spectrum, std::size_t k) {
     const double largest =
         std::max(*std::ranges::max_element(spectrum.measured), *std::ranges::max_element(spectrum.modelled));
     const auto quantity = static_cast<std::size_t>(spectrum.configuration.quantity.value());
     constexpr double room_for_legend = 1.25;
-    std::string script =
-        fmt::format("set title {}\nset ylabel {}\nset yrange [{}:{}]\nset format x ''\nunset xlabel\n",
-                    gnuplot_string(valid_utf8(in_quotes(spectrum.name))), gnuplot_string(quantity_names.at(quantity)),
-                    largest > 0.0 ? "0<*" : "*", largest > 0.0 ? fmt::format("{}", room_for_legend * largest) : "*");
+    std::string script = fmt::format("set title {}\nset ylabel {}\nset yrange [{}\nset format x ''\nunset xlabel\n",
+                                     gnuplot_string(short_name(spectrum)), gnuplot_string(quantity_names.at(quantity)),
+                                     largest > 0.0 ? fmt::format("0:{}]", room_for_legend * largest) : "*:*]");
     script += "set key left top Left reverse samplen 2\nset ytics autofreq\nplot ";
     const bool has_bars = spectrum.measured.size() <= most_error_bars;
     if (!has_bars) {
@@ -110,7 +124,7 @@ std::string spectrum_panel(const FittedSpectrum& spectrum, std::size_t k) {
     }
     script += fmt::format("$modelled{} with lines linewidth 2 linecolor rgb '#08519c' title 'modelled', ", k);
     return script + (has_bars
-                         ? fmt::format("$measured{} with yerrorbars pointtype 7 pointsize 0.5 linecolor rgb "
+                         ? fmt::format("$measured{} with yerrorbars pointtype 7 pointsize 0.4 linecolor rgb "
                                        "'#252525' title 'measured, +/- 1 sigma'\n",
                                        k)
                          : fmt::format("$measured{} using 1:2 with points pointtype 7 pointsize 0.25 linecolor rgb "
@@ -118,14 +132,22 @@ std::string spectrum_panel(const FittedSpectrum& spectrum, std::size_t k) {
                                        k));
 }
 
-std::string residual_panel(std::size_t k) {
+std::string residual_panel(const FittedSpectrum& spectrum, std::size_t k) {
+    double low = 0.0;
+    double high = 0.0;
+    for (std::size_t i = 0; i < spectrum.measured.size(); ++i) {
+        const double residual = spectrum.modelled[i] - spectrum.measured[i];
+        low = std::min({low, residual, -spectrum.sigma[i]});
+        high = std::max({high, residual, spectrum.sigma[i]});
+    }
+    const double range = high > low ? high - low : 1.0;
     return fmt::format(
         "unset title\nset ylabel 'modelled - measured'\nset xlabel 'wavelength, nm'\nset format x '%g'\n"
-        "set yrange [*:*]\nset offsets 0,0,graph 0.25,graph 0.08\nset key left top Left reverse samplen 2\n"
+        "set yrange [{1}:{2}]\nset ytics {3}\nset key left top Left reverse samplen 2\n"
         "plot $noise{0} with filledcurves closed fillcolor rgb '#d9d9d9' fillstyle solid noborder title 'noise, +/- 1 "
         "sigma', 0 with lines linecolor rgb '#636363' notitle, $residual{0} with linespoints linewidth 1.5 pointtype 7 "
-        "pointsize 0.4 linecolor rgb '#08519c' notitle\nset offsets\n",
-        k);
+        "pointsize 0.4 linecolor rgb '#08519c' notitle\n",
+        k, low - 0.1 * range, high + 0.3 * range, tic_step(1.4 * range));
 }
 
 }  // namespace
@@ -137,14 +159,16 @@ std::string fit_picture(std::span<const FittedSpectrum> spectra, const std::file
                            .height = static_cast<int>(rows) * cell_height};
     std::string script = "set encoding utf8\n" + gnuplot_terminal(name, size);
     for (std::size_t k = 0; k < spectra.size(); ++k) script += data_of(spectra[k], k);
-    script += "set grid linetype 1 linecolor rgb '#d0d0d0' linewidth 0.5\nset multiplot\n";
+    script +=
+        "set grid linetype 1 linecolor rgb '#d0d0d0' linewidth 0.5\nset errorbars 0\nset pointintervalbox 0\nset "
+        "multiplot\n";
     for (std::size_t k = 0; k < spectra.size(); ++k) {
         const Cell cell{.column = static_cast<int>(k % columns), .row = static_cast<int>(k / columns)};
         const std::vector<double>& nm = spectra[k].wavelength_nm;
         const int split = cell_height - below - residual_height;
         script += fmt::format("set xrange [{}:{}]\n", nm.front(), nm.back());
         script += frame(size, cell, above, split - between) + spectrum_panel(spectra[k], k);
-        script += frame(size, cell, split, cell_height - below) + residual_panel(k);
+        script += frame(size, cell, split, cell_height - below) + residual_panel(spectra[k], k);
     }
     return gnuplot_picture(script + "unset multiplot\n");
 }

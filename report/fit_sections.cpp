@@ -34,7 +34,7 @@ Html misfit_list(const FitResult& result) {
                                                result.configuration.weights.size())));
     }
     for (const std::string& prior : result.priors) items.emplace_back("prior", escaped(prior));
-    items.emplace_back("error of the model's computation", escaped(model_error_words(result)));
+    items.emplace_back("computation", escaped(model_error_words(result)));
     return definition_list(items);
 }
 

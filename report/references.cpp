@@ -13,7 +13,7 @@ extern const EmbeddedFile embedded_files[];
 
 namespace {
 
-/// Entries of the list read `**[KEY]** text`, over several lines, up to an empty one.
+/// Entries of the list read `**[...]** text`, over several lines, up to an empty one.
 std::vector<std::pair<std::string, std::string>> all_references() {
     constexpr std::string_view begin = "**[";
     constexpr std::string_view end = "]**";

@@ -18,22 +18,21 @@ std::string end_of(const Minimum& minimum) {
     return minimum.termination == out_of_evaluations ? "stopped: out of evaluations" : "NOT CONVERGED";
 }
 
+/// A column for each minimum: parameters are many, minima few.
 Html minima_table(const FitResult& result) {
-    HtmlTable table{.caption = "Minima, best first; the first is the answer",
-                    .columns = {{.name = "minimum"},
-                                {.name = "cost"},
-                                {.name = "searches"},
-                                {.name = "largest sigmas off"},
-                                {.name = "end", .cells = Cells::text}},
-                    .rows = {}};
-    for (const FittedParameter& free : result.free) table.columns.push_back({.name = free.name});
+    HtmlTable table{
+        .caption = "Minima, best first; the first is the answer",
+        .columns = {{.name = "minimum", .cells = Cells::text}},
+        .rows = {{escaped("cost")}, {escaped("searches")}, {escaped("largest sigmas off")}, {escaped("end")}}};
+    for (const FittedParameter& free : result.free) table.rows.push_back({escaped(free.name)});
     for (std::size_t i = 0; i < result.minima.size(); ++i) {
         const Minimum& minimum = result.minima[i].minimum;
-        std::vector<Html> row = {escaped(fmt::format("{}", i + 1)), escaped(fmt::format("{:.8g}", minimum.cost)),
-                                 escaped(fmt::format("{}", result.minima[i].searches)), escaped(away(result, minimum)),
-                                 escaped(end_of(minimum))};
-        for (const double value : minimum.values) row.push_back(escaped(fmt::format("{:.5g}", value)));
-        table.rows.push_back(std::move(row));
+        table.columns.push_back({.name = fmt::format("{}", i + 1)});
+        std::vector<std::string> cells = {fmt::format("{:.8g}", minimum.cost),
+                                          fmt::format("{}", result.minima[i].searches), away(result, minimum),
+                                          end_of(minimum)};
+        for (const double value : minimum.values) cells.push_back(fmt::format("{:.5g}", value));
+        for (std::size_t row = 0; row < cells.size(); ++row) table.rows[row].push_back(escaped(cells[row]));
     }
     return html_table(table);
 }

@@ -22,19 +22,23 @@ struct Fitted {
     explicit Fitted(const Configuration& truth)
         : configuration(truth),
           task(truth, modelled_spectrum(truth, grid_nm(400, 700, 20))),
-          inference(
-              infer(task.objective, {.values = starts(task.problem)}, UncertaintyMethod::covariance, truth.seed)) {}
+          inference(infer(task.objective, {.values = starts(task.problem), .termination = {}},
+                          UncertaintyMethod::covariance, truth.seed)) {}
 
     [[nodiscard]] std::vector<Bounds> band() const { return model_band(task.objective, inference); }
-    [[nodiscard]] double sigma(std::size_t i) const { return task.problem.only().sigma[i]; }
-    [[nodiscard]] double half_width(std::size_t i) const { return (band()[i].upper - band()[i].lower) / 2; }
+    [[nodiscard]] const std::vector<double>& sigma() const { return task.problem.only().sigma; }
 };
+
+double half_width(const Bounds& interval) {
+    return (interval.upper - interval.lower) / 2;
+}
 
 /// The number of directions in which the readings can vary: the sum of their variances over those of the noise.
 double trace(const Fitted& fitted) {
+    const std::vector<Bounds> band = fitted.band();
     double sum = 0.0;
-    for (std::size_t i = 0; i < fitted.band().size(); ++i) {
-        sum += std::pow(fitted.half_width(i) / sigmas / fitted.sigma(i), 2);
+    for (std::size_t i = 0; i < band.size(); ++i) {
+        sum += std::pow(half_width(band[i]) / sigmas / fitted.sigma()[i], 2);
     }
     return sum;
 }
@@ -43,9 +47,10 @@ constexpr double rounding = 1e-8;
 
 TEST(ModelBand, OfAnOffsetIsThatOfAMean) {
     const Fitted fitted(with_free(quick_configuration(), {Parameter::offset}));
-    const auto count = static_cast<double>(fitted.band().size());
-    for (std::size_t i = 0; i < fitted.band().size(); ++i) {
-        EXPECT_NEAR(fitted.half_width(i), sigmas * fitted.sigma(i) / std::sqrt(count), rounding);
+    const std::vector<Bounds> band = fitted.band();
+    const double root_of_count = std::sqrt(static_cast<double>(band.size()));
+    for (std::size_t i = 0; i < band.size(); ++i) {
+        EXPECT_NEAR(half_width(band[i]), sigmas * fitted.sigma()[i] / root_of_count, rounding);
     }
 }
 
@@ -61,10 +66,10 @@ TEST(ModelBand, IgnoresAParameterThatIsHeldAtItsBound) {
 
 TEST(ModelBand, IsNotWidenedByWhatTheReadingsDoNotKnow) {
     Configuration configuration =
-        with_free(quick_configuration(), {Parameter::papillary_blood_fraction, Parameter::oxygen_saturation});
+        with_free(quick_configuration(), {Parameter::melanosome_fraction, Parameter::oxygen_saturation});
     EXPECT_NEAR(trace(Fitted(configuration)), 2.0, rounding);
-    configuration.values.skin.papillary_blood_fraction = 0.0;  // then nothing tells its saturation,
-    configuration.values.skin.reticular_blood_fraction = 0.0;  // with no blood anywhere
+    configuration.values.skin.papillary_blood_fraction = 0.0;  // without blood nothing tells its saturation
+    configuration.values.skin.reticular_blood_fraction = 0.0;
     EXPECT_NEAR(trace(Fitted(configuration)), 1.0, rounding);
 }
 
@@ -77,10 +82,11 @@ TEST(ModelBand, OfAPosteriorIsThatOfItsDraws) {
     const Eigen::VectorXd reading = fitted.task.objective.readings(std::vector<double>{0.0});
     const double step = 0.01 / (draws - 1);
     // Every tenth draw is taken: 0, 10, ... 3990.
-    for (std::size_t i = 0; i < fitted.band().size(); ++i) {
+    const std::vector<Bounds> band = fitted.band();
+    for (std::size_t i = 0; i < band.size(); ++i) {
         const double base = reading[static_cast<Eigen::Index>(i)];
-        EXPECT_NEAR(fitted.band()[i].lower, base + 0.025 * 3990 * step, rounding);
-        EXPECT_NEAR(fitted.band()[i].upper, base + 0.975 * 3990 * step, rounding);
+        EXPECT_NEAR(band[i].lower, base + 0.025 * 3990 * step, rounding);
+        EXPECT_NEAR(band[i].upper, base + 0.975 * 3990 * step, rounding);
     }
 }
 
