@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fit/configuration.hpp"
+#include "fit/fit_watch.hpp"
 #include "fit/result.hpp"
 #include "measurements/quality.hpp"
 #include "measurements/spectrum.hpp"
@@ -13,10 +14,12 @@ struct FitOptions {
     bool cross_check = false;  ///< also by the other solvers, and compare
     EnsembleCache cache;
     std::vector<Finding> findings{};  ///< on the spectra, for the result: `findings_before_fit`
+    FitWatch watch{};
 };
 
 /// Explains all `spectra` (at least one) together as `configuration` says. Throws InputError for a problem that makes
-/// no sense (`make_problem`); a fit that ends badly is a result with a verdict.
+/// no sense (`make_problem`); a fit that ends badly is a result with a verdict, and one that is cancelled throws
+/// FitCancelled at the next evaluation of the model.
 [[nodiscard]] FitResult fit_spectra(const Configuration& configuration, std::span<const Spectrum> spectra,
                                     const FitOptions& options);
 

@@ -106,8 +106,9 @@ Names named_files(std::string_view text) {
 const std::string references_path = "model/REFERENCES.md";
 
 std::vector<SourceFile> citing_files() {
-    return source_files({"core", "model", "measurements", "fit", "validation", "study", "bench", "app", "tests"},
-                        {".cpp", ".hpp", ".csv", ".md"});
+    return source_files(
+        {"core", "model", "measurements", "fit", "validation", "study", "bench", "explore", "app", "tests"},
+        {".cpp", ".hpp", ".csv", ".md"});
 }
 
 /// A citation for the tests of the tests, so that this file cites nothing itself.
