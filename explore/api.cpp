@@ -48,9 +48,12 @@ ApiAnswer error_answer(const std::string& message, int status) {
     return json_answer({{"error", message}}, status);
 }
 
+Api::Api(EnsembleCache cache, std::optional<SpectrumFile> file)
+    : file_(file ? uploaded_json(std::move(*file)) : Json()), jobs_(std::move(cache)) {}
+
 Json Api::vocabulary() const {
     Json json = vocabulary_json();
-    json["file"] = file_ ? uploaded_json(*file_) : Json();
+    json["file"] = file_;
     return json;
 }
 

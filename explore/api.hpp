@@ -35,7 +35,8 @@ struct ApiAnswer {
 ///     DELETE /api/fit?name=NAME        asks it to stop
 class Api {
 public:
-    Api(EnsembleCache cache, std::optional<SpectrumFile> file) : file_(std::move(file)), jobs_(std::move(cache)) {}
+    /// `file`: spectra to begin with. Throws InputError as `uploaded_json`.
+    Api(EnsembleCache cache, std::optional<SpectrumFile> file);
 
     [[nodiscard]] ApiAnswer answer(const ApiRequest& request);
 
@@ -46,7 +47,7 @@ private:
     [[nodiscard]] ApiAnswer on_fit(const ApiRequest& request);
     [[nodiscard]] ApiAnswer dispatched(const ApiRequest& request);
 
-    std::optional<SpectrumFile> file_;
+    Json file_;
     Simulator simulator_;
     FitJobs jobs_;
 };

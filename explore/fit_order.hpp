@@ -21,8 +21,8 @@ struct FitOrder {
 /// state of edition, layers and base holds where the configuration does not state it. Throws InputError.
 [[nodiscard]] FitOrder fit_order(const Json& request);
 
-/// The order, carried out: the documents made of its result. "report" is `json_report`, "text" `text_report`. A report
-/// of another form is added here.
+/// The order, carried out: the documents made of its result, each of which the page offers for download. "report" is
+/// `json_report`, "text" `text_report`. A report of another form is added here, under the ending of its files.
 [[nodiscard]] Json fitted_documents(const FitOrder& order, const EnsembleCache& cache, const FitWatch& watch);
 
 }  // namespace skinfit

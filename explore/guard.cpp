@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-
 #include "explore/page.hpp"
 #include "explore/token.hpp"
 

@@ -15,7 +15,7 @@ struct FitProgress {
     std::size_t total;       ///< at least 1
 };
 
-/// Whoever waits for a fit. Both are called from the thread that fits, and from those that help it.
+/// Whoever waits for a fit. `progress` is called from the thread that fits.
 struct FitWatch {
     std::stop_token stop{};                                 ///< asks for an end before the end
     std::function<void(const FitProgress&)> progress = {};  ///< empty: nobody listens

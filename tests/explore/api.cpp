@@ -3,6 +3,7 @@
 #include <set>
 
 #include "core/file.hpp"
+#include "core/input_error.hpp"
 #include "explore/configuration_request.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/fit.hpp"
@@ -93,6 +94,16 @@ TEST_F(Asked, AFileFromTheCommandLineIsInTheVocabulary) {
     EXPECT_EQ(Json::parse(answer.body)["file"]["measured"].size(), 1U);
 }
 
+TEST(Asking, AFileOfTooManySpectraIsRefusedAtTheStart) {
+    std::string rows = "wavelength_nm";
+    for (int i = 1; i <= 201; ++i) rows += ",s" + std::to_string(i);
+    for (const char* nm : {"400", "500", "600"}) {
+        rows += std::string("\n") + nm;
+        for (int i = 1; i <= 201; ++i) rows += ",0.3";
+    }
+    EXPECT_THROW(Api(test::no_cache(), parse_spectra(rows + "\n", "many.csv")), InputError);
+}
+
 TEST_F(Asked, ExportsRunAgain) {
     const Json stated = {{"edition", "printed"}, {"parameters", {{"melanosome_fraction", 0.1}}}};
     const Json found = post("/api/export", {{"configuration", stated}}).json;
@@ -156,6 +167,21 @@ TEST_F(Asked, ACancelledFitStopsSoon) {
         }
         EXPECT_EQ(ask("DELETE", "/api/fit", "", name).status, 200);
         EXPECT_EQ(ended(name)["state"], "cancelled") << solver;
+    }
+}
+
+TEST_F(Asked, SoDoesOneThatIsEstimatingItsUncertainty) {
+    const Json upload = ask("POST", "/api/spectra", read_file(specimen), "ncsu_113.csv").json;
+    for (const char* uncertainty : {"posterior", "profile"}) {
+        const Json configuration = {{"engine", "solver"}, {"starts", 1}, {"uncertainty", uncertainty}};
+        const Answer started = post("/api/fit", {{"configuration", configuration}, {"measured", upload["measured"]}});
+        ASSERT_EQ(started.status, 200) << started.json;
+        const std::string name = started.json["name"].get<std::string>();
+        while (ask("GET", "/api/fit", "", name).json["progress"]["stage"] != "estimating the uncertainty") {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        EXPECT_EQ(ask("DELETE", "/api/fit", "", name).status, 200);
+        EXPECT_EQ(ended(name)["state"], "cancelled") << uncertainty;
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/json.hpp"
 #include "explore/api.hpp"
+#include "tests/fit/synthetic.hpp"
 
 namespace skinfit::test {
 
@@ -16,11 +17,6 @@ struct Answer {
     int status;
     Json json;
 };
-
-/// Keeps nothing on disk and says nothing.
-[[nodiscard]] inline EnsembleCache no_cache() {
-    return {.folder = std::nullopt, .warn = [](const std::string&) {}, .inform = [](const std::string&) {}};
-}
 
 /// Tests that ask the application without a network.
 class Asking : public ::testing::Test {

@@ -1,3 +1,6 @@
+// Before httplib, whose <resolv.h> makes a macro of a name that Eigen uses.
+#include "explore/server.hpp"
+
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <httplib.h>
@@ -13,8 +16,6 @@
 #include <thread>
 
 #include "explore/guard.hpp"
-#include "explore/server.hpp"
-#include "tests/explore/asking.hpp"
 
 namespace skinfit {
 namespace {
@@ -117,7 +118,7 @@ TEST(HostileRequests, FiveHundredASecondForTenSecondsNeitherCrashNorLeak) {
     constexpr int clients = 4;
     constexpr auto spacing = std::chrono::milliseconds(8);  // of each: 500 a second together
     constexpr auto lasting = std::chrono::seconds(10);
-    Api api(test::no_cache(), std::nullopt);
+    Api api(EnsembleCache{.folder = std::nullopt, .warn = {}, .inform = {}}, std::nullopt);
     Server server(api, 0);
     std::thread serving([&server] { server.run(); });
     std::atomic<std::size_t> requests = 0;

@@ -1,5 +1,4 @@
 #include "explore/server.hpp"
-#include "tests/explore/asking.hpp"
 
 #include <gtest/gtest.h>
 #include <httplib.h>
@@ -27,7 +26,7 @@ protected:
 
     [[nodiscard]] httplib::Headers with_token() const { return {{token_header, server_.token()}}; }
 
-    Api api_{test::no_cache(), std::nullopt};
+    Api api_{EnsembleCache{.folder = std::nullopt, .warn = {}, .inform = {}}, std::nullopt};
     Server server_{api_, 0};
     httplib::Client client_{"127.0.0.1", server_.port()};
     std::thread thread_;

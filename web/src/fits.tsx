@@ -30,6 +30,9 @@ interface FitsProps {
 
 const fitSettings = ["engine", "uncertainty", "solver", "starts", "noise", "wavelength_min_nm", "wavelength_max_nm"];
 
+/// Of the files that hold a fit's documents; another document has its own name as ending.
+const endings: {[form: string]: string} = {report: "json", text: "txt"};
+
 const pause = (milliseconds: number) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
 interface Target {
@@ -185,10 +188,13 @@ function Comparison({vocabulary, model, change, fits, setFits}: FitsProps) {
                             <div class="actions">
                                 <button type="button" onClick={() => change(withFitted(model, report))}
                                     aria-label={`sliders to fit ${number}`}>To sliders</button>
-                                <button type="button" aria-label={`report of fit ${number} as JSON`}
-                                    onClick={() => download(`fit_${number}.json`, JSON.stringify(report, null, 2))}>JSON</button>
-                                <button type="button" aria-label={`report of fit ${number} as text`}
-                                    onClick={() => download(`fit_${number}.txt`, state.documents!.text)}>Text</button>
+                                {Object.entries(state.documents!).map(([form, document]) => (
+                                    <button type="button" aria-label={`report of fit ${number} as ${endings[form] ?? form}`}
+                                        onClick={() => download(`fit_${number}.${endings[form] ?? form}`,
+                                            typeof document === "string" ? document : JSON.stringify(document, null, 2))}>
+                                        {(endings[form] ?? form).toUpperCase()}
+                                    </button>
+                                ))}
                                 <button type="button" aria-label={`remove fit ${number}`}
                                     onClick={() => setFits((all) => all.filter((fit) => fit.number !== number))}>Remove</button>
                             </div>

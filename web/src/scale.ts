@@ -45,6 +45,9 @@ export function withSigma(value: number, sigma: number): string {
     return `${value.toFixed(decimals)} ± ${sigma.toFixed(decimals)}`;
 }
 
+/// A name as there is room for it.
+export const shortened = (name: string, most = 36): string => (name.length <= most ? name : `${name.slice(0, most - 1)}…`);
+
 const units: {[unit: string]: string} = {"g/L": "_g_per_l", cm: "_cm", nm: "_nm"};
 
 /// A parameter's or setting's name in words, without the unit that stands beside it.

@@ -4,7 +4,7 @@ import type {Fit} from "./fits";
 import {Following} from "./following";
 import type {OpenFile} from "./measured";
 import {Plot, type Curve} from "./plot";
-import {inWords} from "./scale";
+import {inWords, shortened} from "./scale";
 import type {Model} from "./state";
 import type {Colour, Sensitivity, Simulation, Vocabulary} from "./types";
 
@@ -71,7 +71,7 @@ function SpectrumView({simulation, files, fits, onDrawn}: ViewsProps) {
     const curves = useMemo((): Curve[] => [
         {label: "model", x: simulation.wavelength_nm, y: simulation.reading, colour: model, look: "line"},
         ...files.flatMap((file, k) => file.measured.filter((_, i) => file.visible.has(i)).map((spectrum): Curve => ({
-            label: spectrum.name,
+            label: shortened(spectrum.name),
             x: spectrum.wavelength_nm,
             y: spectrum.value,
             colour: colour(palette[k % palette.length]!),
