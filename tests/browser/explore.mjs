@@ -177,6 +177,7 @@ for (const scheme of ["light", "dark"]) {
         await fitSpecimen(page);
         for (const width of [1280, 390]) {
             await page.setViewportSize({width, height: width === 390 ? 844 : 900});
+            await page.evaluate(() => scrollTo(0, 0));
             await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
             const found = await page.evaluate(`${axe}; axe.run()`);
             assert.deepEqual(found.violations.map(({id, nodes}) => `${id}: ${nodes.map(({html}) => html).join(" ")}`), [], `at ${width}`);
