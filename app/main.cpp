@@ -33,6 +33,7 @@ int run(int argc, char** argv) {
     skinfit::add_simulate_command(app, exit_code);
     skinfit::add_sensitivity_command(app, exit_code);
     skinfit::add_design_command(app, exit_code);
+    skinfit::add_explore_command(app, exit_code);
     skinfit::add_gonio_command(app, exit_code);
     skinfit::add_validate_command(app, exit_code);
     skinfit::add_study_command(app, exit_code);

@@ -168,5 +168,13 @@ TEST_F(BadInput, CommandLines) {
     expect_refused({"simulate", "--colum", "x"}, "unknown option --colum");
 }
 
+TEST_F(BadInput, APageNeedsItsFileAndItsPort) {
+    expect_refused({"explore", "missing.csv"}, "missing.csv");
+    expect_refused({"explore", "--port", "70000"}, "--port");
+    expect_refused({"explore", "--port", "1x"}, "--port");
+    put("bad.csv", "dear diary\n");
+    expect_refused({"explore", "bad.csv"}, "bad.csv");
+}
+
 }  // namespace
 }  // namespace skinfit::test
