@@ -51,7 +51,8 @@ Json indicators(const Cohort& cohort) {
     for (const CohortLabel& label : cohort.labels) {
         list.push_back({{"name", label.name},
                         {"parameter", info(label.parameter).name},
-                        {label.above ? "above" : "below", label.limit}});
+                        {label.above ? "above" : "below", label.limit},
+                        {"source", fmt::format("the cohort's label {}", label.name)}});
     }
     return list;
 }

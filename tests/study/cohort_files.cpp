@@ -139,7 +139,8 @@ TEST_F(CohortFiles, TheStudyFitsItsSpectra) {
     EXPECT_EQ(study["group_by"], Json::array({"group"}));
     EXPECT_EQ(study["output"], "results");
     EXPECT_EQ(study["indicators"][0],
-              Json::parse(R"({"name": "jaundiced", "parameter": "bilirubin_g_per_l", "above": 0.25})"));
+              Json::parse(R"({"name": "jaundiced", "parameter": "bilirubin_g_per_l", "above": 0.25,
+                              "source": "the cohort's label jaundiced"})"));
     EXPECT_EQ(study["assess"][1], Json::parse(R"({"indicator": "pale", "label": "pale", "positive": "yes"})"));
     EXPECT_EQ(study["assess"].size(), 2U + 4U);
     const Configuration fit = configured(default_configuration(), study["fit"], "fit");
