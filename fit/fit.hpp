@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "fit/configuration.hpp"
-#include "fit/models.hpp"
 #include "fit/fit_watch.hpp"
+#include "fit/models.hpp"
 #include "fit/result.hpp"
 #include "measurements/quality.hpp"
 #include "measurements/spectrum.hpp"
