@@ -15,7 +15,7 @@ bool is_control(char c) {
     return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7f;
 }
 
-bool is_colour(std::string_view hex) {
+[[maybe_unused]] bool is_colour(std::string_view hex) {
     return hex.size() == 7 && hex.front() == '#' &&
            hex.find_first_not_of("0123456789abcdef", 1) == std::string_view::npos;
 }
@@ -100,7 +100,8 @@ Html folded(std::string_view summary, const Html& content) {
 }
 
 Html folded_text(std::string_view summary, std::string_view text) {
-    return folded(summary, element("pre", element("code", escaped(text)), {{"tabindex", "0"}}));
+    const Html content = element("pre", element("code", escaped(text)), {{"tabindex", "0"}});
+    return element("details", element("summary", escaped(summary)) + content, {{"class", "raw"}}) + Html{"\n"};
 }
 
 Html badge(std::string_view word) {
