@@ -123,13 +123,14 @@ std::string spectrum_panel(const FittedSpectrum& spectrum, std::size_t k) {
             k);
     }
     script += fmt::format("$modelled{} with lines linewidth 2 linecolor rgb '#08519c' title 'modelled', ", k);
-    return script + (has_bars
-                         ? fmt::format("$measured{} with yerrorbars pointtype 7 pointsize 0.4 linecolor rgb "
-                                       "'#252525' title 'measured, +/- 1 sigma'\n",
-                                       k)
-                         : fmt::format("$measured{} using 1:2 with points pointtype 7 pointsize 0.25 linecolor rgb "
-                                       "'#252525' notitle\n",
-                                       k));
+    // gnuplot's own error bars erase what lies around their points.
+    if (has_bars) {
+        script += fmt::format(
+            "$measured{} using 1:($2-$3):(0):(2*$3) with vectors nohead linecolor rgb '#252525' notitle, ", k);
+    }
+    return script +
+           fmt::format("$measured{} using 1:2 with points pointtype 7 pointsize {} linecolor rgb '#252525' {}\n", k,
+                       has_bars ? 0.4 : 0.25, has_bars ? "title 'measured, +/- 1 sigma'" : "notitle");
 }
 
 std::string residual_panel(const FittedSpectrum& spectrum, std::size_t k) {
@@ -160,7 +161,7 @@ std::string fit_picture(std::span<const FittedSpectrum> spectra, const std::file
     std::string script = "set encoding utf8\n" + gnuplot_terminal(name, size);
     for (std::size_t k = 0; k < spectra.size(); ++k) script += data_of(spectra[k], k);
     script +=
-        "set grid linetype 1 linecolor rgb '#d0d0d0' linewidth 0.5\nset errorbars 0\nset pointintervalbox 0\nset "
+        "set grid linetype 1 linecolor rgb '#d0d0d0' linewidth 0.5\nset "
         "multiplot\n";
     for (std::size_t k = 0; k < spectra.size(); ++k) {
         const Cell cell{.column = static_cast<int>(k % columns), .row = static_cast<int>(k / columns)};

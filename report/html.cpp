@@ -100,7 +100,8 @@ Html folded(std::string_view summary, const Html& content) {
 }
 
 Html folded_text(std::string_view summary, std::string_view text) {
-    return folded(summary, element("pre", element("code", escaped(text)), {{"tabindex", "0"}}));
+    const Html content = element("pre", element("code", escaped(text)), {{"tabindex", "0"}});
+    return element("details", element("summary", escaped(summary)) + content, {{"class", "raw"}}) + Html{"\n"};
 }
 
 Html badge(std::string_view word) {

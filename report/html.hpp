@@ -51,7 +51,7 @@ using HtmlAttributes = std::vector<std::pair<std::string_view, std::string>>;
 /// Pieces that open at a click on `summary`, and on paper.
 [[nodiscard]] Html folded(std::string_view summary, const Html& content);
 
-/// Text with its line ends and blanks, that opens at a click on `summary`.
+/// Text with its line ends and blanks, that opens at a click on `summary`; on paper it stays closed.
 [[nodiscard]] Html folded_text(std::string_view summary, std::string_view text);
 
 /// The word of a verdict or of a status, set off and coloured by what it means: `trustworthy` and `fitted` are good,

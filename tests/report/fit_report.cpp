@@ -48,6 +48,9 @@ TEST(FitReport, SaysTheVerdictBeforeTheFirstSection) {
     ASSERT_NE(verdict, std::string::npos);
     EXPECT_LT(verdict, report.find("<h2"));
     EXPECT_TRUE(holds(report_of(test::trustworthy_result()), "<span class=\"badge good\">trustworthy</span>"));
+    FitResult failed = test::trustworthy_result();
+    failed.verdict = Verdict::failed;
+    EXPECT_TRUE(holds(report_of(failed), "<span class=\"badge bad\">failed</span>"));
 }
 
 TEST(FitReport, SaysWhyASpectrumHasNoColour) {

@@ -36,6 +36,8 @@ TEST(LightBudget, AddsUpToOne) {
     for (const Experiment& experiment : specimens()) {
         for (const LightShares& shares : light_budget(experiment, {400, 550, 700})) {
             EXPECT_NEAR(sum(shares), 1.0, rounding) << shares.wavelength_nm;
+            // A share that is forgotten is missed.
+            EXPECT_GT(std::abs(sum(shares) - shares.absorbed[0] - 1.0), rounding) << shares.wavelength_nm;
         }
     }
 }
