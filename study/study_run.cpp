@@ -151,11 +151,6 @@ void make_folder(const std::filesystem::path& folder) {
                       .remedy = "name an output folder that can be written"});
 }
 
-Ledger opened(const Study& study, const StudyRunOptions& options) {
-    Ledger ledger(options.ledger, Ledger::Access::write);
-    return ledger;
-}
-
 /// For those who read the ledger.
 void note_settings(Ledger& ledger, const Study& study) {
     ledger.set_note("study", study.name);
@@ -195,7 +190,7 @@ StudyRun run_study(const Study& study, const StudyRunOptions& options) {
     check_settings(study);
     make_folder(options.ledger.parent_path());
     const LedgerLock lock(options.ledger);
-    Ledger ledger = opened(study, options);
+    Ledger ledger(options.ledger, Ledger::Access::write);
     const std::string hash = configuration_hash_of(study);
     Plan plan = plan_of(study);
     if (options.part) take_part(plan, *options.part);
@@ -228,7 +223,7 @@ StudyRun merge_study(const Study& study, const std::vector<std::filesystem::path
                      const StudyRunOptions& options) {
     make_folder(options.ledger.parent_path());
     const LedgerLock lock(options.ledger);
-    Ledger ledger = opened(study, options);
+    Ledger ledger(options.ledger, Ledger::Access::write);
     const std::string hash = configuration_hash_of(study);
     const Plan plan = plan_of(study);
     StudyRun run{.change = ledger.take(plan.roster, hash), .left_out = plan.left_out, .progress = {}};
