@@ -13,7 +13,7 @@ namespace {
 
 /// What to do about an unknown `key`: the known one of which it is a part or a misspelling, or all of a few.
 std::string remedy_for(std::string_view key, const std::vector<std::string_view>& known) {
-    constexpr std::size_t few = 4;
+    constexpr std::size_t few = 14;     // settings and parameters are more
     constexpr std::size_t telling = 3;  // characters
     const auto longer =
         std::ranges::find_if(known, [key](std::string_view name) { return name.find(key) != std::string_view::npos; });

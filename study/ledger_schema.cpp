@@ -77,6 +77,22 @@ bool has_log(const std::filesystem::path& path) {
     return !none && size > 0;
 }
 
+/// The definitions of a ledger's tables, as the database keeps them.
+std::string definitions_in(const SQLite::Database& database) {
+    SQLite::Statement query(database,
+                            "SELECT sql FROM sqlite_master WHERE name IN ('spectra', 'spectra_by_status', 'cubes', "
+                            "'tiles', 'notes') ORDER BY name");
+    std::string definitions;
+    while (query.executeStep()) definitions += query.getColumn(0).getString();
+    return definitions;
+}
+
+std::string right_definitions() {
+    SQLite::Database empty(":memory:", SQLite::OPEN_READWRITE);
+    empty.exec(tables);
+    return definitions_in(empty);
+}
+
 void check_kind(const SQLite::Database& database, const std::filesystem::path& path) {
     const auto pragma = [&](const char* query) {
         SQLite::Statement statement(database, query);
@@ -95,6 +111,7 @@ void check_kind(const SQLite::Database& database, const std::filesystem::path& p
                           .why = fmt::format("this program knows version {}", ledger_schema_version),
                           .remedy = "use the program that wrote it, or another output folder"});
     }
+    if (definitions_in(database) != right_definitions()) refuse_damaged(path, "its tables are not those of a ledger");
 }
 
 void make_tables(SQLite::Database& database) {
