@@ -127,10 +127,23 @@ void check_through(SQLite::Database& database, const std::filesystem::path& path
     if (answer != "ok") refuse_damaged(path, answer);
 }
 
+/// What `work`, which opens a file, gives. Its questions fit every database, so that an error in them is the file's.
+template <class Work>
+auto opened(const std::filesystem::path& path, const Work& work) {
+    return translated(path, [&] {
+        try {
+            return work();
+        } catch (const SQLite::Exception& error) {
+            if (error.getErrorCode() == SQLITE_ERROR) refuse_damaged(path, error.what());
+            throw;
+        }
+    });
+}
+
 }  // namespace
 
 std::unique_ptr<SQLite::Database> open_ledger_to_write(const std::filesystem::path& path) {
-    return translated(path, [&] {
+    return opened(path, [&] {
         auto database = std::make_unique<SQLite::Database>(path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
                                                            patience_ms);
         const bool is_new = database->execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0 &&
@@ -162,7 +175,7 @@ std::unique_ptr<SQLite::Database> open_ledger_to_read(const std::filesystem::pat
                           .why = "the study has not been run",
                           .remedy = "run it with `skinfit study run`"});
     }
-    return translated(path, [&] {
+    return opened(path, [&] {
         const auto open = [&](const std::string& name, int flags) {
             auto database = std::make_unique<SQLite::Database>(name, SQLite::OPEN_READONLY | flags, patience_ms);
             check_kind(*database, path);
