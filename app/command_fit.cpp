@@ -10,9 +10,12 @@
 #include "fit/configuration_json.hpp"
 #include "fit/file_settings.hpp"
 #include "fit/fit.hpp"
+#include "fit/gnuplot.hpp"
 #include "fit/inspection.hpp"
 #include "fit/report.hpp"
 #include "measurements/text_reader.hpp"
+#include "report/fit_picture.hpp"
+#include "report/fit_report.hpp"
 
 namespace skinfit {
 namespace {
@@ -32,6 +35,9 @@ struct FitCommand {
     std::string solver;
     std::string uncertainty;
     std::filesystem::path samples;
+    std::filesystem::path report;
+    std::filesystem::path plot;
+    std::string command_line;
 };
 
 Configuration fit_configuration(const FitCommand& command, const Configuration& defaults) {
@@ -78,24 +84,33 @@ std::vector<Spectrum> read_all(const FitCommand& command, const Configuration& s
     return spectra;
 }
 
-void check_samples(const FitCommand& command, const Configuration& configuration) {
-    if (command.samples.empty()) return;
-    if (configuration.uncertainty != UncertaintyMethod::posterior) {
-        throw InputError({.where = "--samples",
-                          .problem = "there are none",
-                          .why = "only a posterior is sampled",
-                          .remedy = "add --uncertainty posterior"});
+/// Refuses what cannot be written before the work rather than after it.
+void check_outputs(const FitCommand& command) {
+    if (!command.plot.empty()) (void)gnuplot_terminal(command.plot, {.width = 1, .height = 1});  // the suffix
+    const std::vector<std::pair<std::string, std::filesystem::path>> outputs = {{"--out", command.shared.out},
+                                                                                {"--report", command.report},
+                                                                                {"--plot", command.plot},
+                                                                                {"--samples", command.samples}};
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        const auto& [option, path] = outputs[i];
+        SharedOptions one = command.shared;
+        one.out = path;
+        check_output(one, inputs(command), option);
+        for (std::size_t k = 0; k < i; ++k) refuse_same_output(outputs[k], outputs[i]);
     }
-    SharedOptions samples = command.shared;
-    samples.out = command.samples;
-    std::vector<std::filesystem::path> others = inputs(command);
-    others.emplace_back(command.shared.out);
-    check_output(samples, others);
+}
+
+void check_samples(const FitCommand& command, const Configuration& configuration) {
+    if (command.samples.empty() || configuration.uncertainty == UncertaintyMethod::posterior) return;
+    throw InputError({.where = "--samples",
+                      .problem = "there are none",
+                      .why = "only a posterior is sampled",
+                      .remedy = "add --uncertainty posterior"});
 }
 
 int run(const FitCommand& command) {
     const Configuration stated = fit_configuration(command, default_configuration());
-    check_output(command.shared, inputs(command));
+    check_outputs(command);
     const std::vector<Spectrum> spectra = read_all(command, stated);
     // What the file states holds where the configuration does not state it.
     const Configuration configuration =
@@ -112,6 +127,10 @@ int run(const FitCommand& command) {
         for (const FittedParameter& free : result.free) names.push_back(free.name);
         write_file_atomically(command.samples, samples_csv(*result.posterior, names));
     }
+    if (!command.plot.empty()) write_file_atomically(command.plot, fit_picture(result.spectra, command.plot));
+    if (!command.report.empty()) {
+        write_file_atomically(command.report, html_report(result, {.command_line = command.command_line}));
+    }
     write_output(command.shared,
                  command.shared.format == "json" ? json_text(json_report(result)) : text_report(result));
     return result.verdict == Verdict::trustworthy ? trustworthy_result : result_with_warning;
@@ -119,8 +138,9 @@ int run(const FitCommand& command) {
 
 }  // namespace
 
-void add_fit_command(CLI::App& app, int& exit_code) {
+void add_fit_command(CLI::App& app, int& exit_code, const std::string& command_line) {
     const auto command = std::make_shared<FitCommand>();
+    command->command_line = command_line;
     CLI::App* const fit = app.add_subcommand("fit", "explain a measured spectrum by skin biology");
     fit->add_option(
            "FILE", command->files,
@@ -149,6 +169,11 @@ void add_fit_command(CLI::App& app, int& exit_code) {
     fit->add_option("--uncertainty", command->uncertainty,
                     "what intervals come from: covariance, profile (right at bounds) or posterior");
     fit->add_option("--samples", command->samples, "write the draws of the posterior there, as CSV")->type_name("FILE");
+    fit->add_option("--report", command->report, "write the whole result there as one self-contained HTML page")
+        ->type_name("FILE");
+    fit->add_option("--plot", command->plot,
+                    "draw measured and modelled spectrum with residuals there, as .svg, .png or .pdf")
+        ->type_name("FILE");
     fit->add_option("--solver", command->solver,
                     "ceres (exact derivatives), slsqp (the same), bobyqa, sbplx (none), crs2 (global)");
     fit->add_flag("--strict", command->strict, "refuse a spectrum with warnings; `skinfit inspect` shows them");

@@ -28,11 +28,12 @@ int run(int argc, char** argv) {
                  "skinfit");
     app.require_subcommand(1);
     app.set_version_flag("--version", std::string(skinfit::version));
-    skinfit::add_fit_command(app, exit_code);
+    skinfit::add_fit_command(app, exit_code, skinfit::shell_words({argv, argv + argc}));
     skinfit::add_inspect_command(app, exit_code);
     skinfit::add_simulate_command(app, exit_code);
     skinfit::add_sensitivity_command(app, exit_code);
     skinfit::add_design_command(app, exit_code);
+    skinfit::add_explore_command(app, exit_code);
     skinfit::add_gonio_command(app, exit_code);
     skinfit::add_validate_command(app, exit_code);
     skinfit::add_study_command(app, exit_code);

@@ -18,11 +18,11 @@ namespace skinfit {
 namespace {
 
 /// Throws InputError where writing to `out` would replace `input`.
-void refuse_replacing(const std::filesystem::path& out, const std::filesystem::path& input) {
+void refuse_replacing(const std::string& option, const std::filesystem::path& out, const std::filesystem::path& input) {
     std::error_code error;
     if (input.empty() || !std::filesystem::is_regular_file(input, error)) return;
     if (!std::filesystem::equivalent(out, input, error) || error) return;
-    throw InputError({.where = fmt::format("--out {}", out.string()),
+    throw InputError({.where = fmt::format("{} {}", option, out.string()),
                       .problem = "is a file that is read",
                       .why = "the output would replace it",
                       .remedy = "name another file"});
@@ -111,6 +111,22 @@ std::unique_ptr<tbb::global_control> thread_limit(const SharedOptions& options) 
                                                  static_cast<std::size_t>(options.threads));
 }
 
+std::string shell_words(const std::vector<std::string>& arguments) {
+    constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+.,:/@%";
+    std::string line;
+    for (const std::string& argument : arguments) {
+        if (!line.empty()) line += ' ';
+        if (!argument.empty() && argument.find_first_not_of(plain) == std::string::npos) {
+            line += argument;
+            continue;
+        }
+        line += '\'';
+        for (const char c : argument) c == '\'' ? line += "'\\''" : line += c;
+        line += '\'';
+    }
+    return line;
+}
+
 std::string json_text(const Json& json) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -131,11 +147,26 @@ void write_output(const SharedOptions& options, const std::string& text) {
     }
 }
 
-void check_output(const SharedOptions& options, const std::vector<std::filesystem::path>& inputs) {
+void refuse_same_output(const std::pair<std::string, std::filesystem::path>& first,
+                        const std::pair<std::string, std::filesystem::path>& second) {
+    std::error_code error;
+    if (first.second.empty() || second.second.empty()) return;
+    const auto place = [&](const std::filesystem::path& path) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+    };
+    if (place(first.second) != place(second.second)) return;
+    throw InputError({.where = fmt::format("{} {}", second.first, second.second.string()),
+                      .problem = fmt::format("is the file of {} too", first.first),
+                      .why = "the one would replace the other",
+                      .remedy = "name another file"});
+}
+
+void check_output(const SharedOptions& options, const std::vector<std::filesystem::path>& inputs,
+                  const std::string& option) {
     if (options.out.empty()) return;
     std::error_code error;
-    for (const std::filesystem::path& input : inputs) refuse_replacing(options.out, input);
-    refuse_replacing(options.out, options.config);
+    for (const std::filesystem::path& input : inputs) refuse_replacing(option, options.out, input);
+    refuse_replacing(option, options.out, options.config);
     const std::filesystem::file_status status = std::filesystem::status(options.out, error);
     const bool is_folder = std::filesystem::is_directory(status);
     // A file is replaced, which takes a writable folder; a pipe or device is written to.

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fit/configuration.hpp"
@@ -49,6 +50,9 @@ void make_output_folder(const std::filesystem::path& folder);
 /// Limits the number of threads for as long as it lives.
 [[nodiscard]] std::unique_ptr<tbb::global_control> thread_limit(const SharedOptions& options);
 
+/// `arguments` as they are typed into a shell: those with other characters than plain names have are quoted.
+[[nodiscard]] std::string shell_words(const std::vector<std::string>& arguments);
+
 /// `json` as indented text with a line end; bytes that are not UTF-8 are replaced.
 [[nodiscard]] std::string json_text(const Json& json);
 
@@ -59,7 +63,12 @@ void write_stdout(const std::string& text);
 void write_output(const SharedOptions& options, const std::string& text);
 
 /// Throws InputError when --out cannot be written, or is one of the files that are read (`inputs` and --config): before
-/// the work rather than after it.
-void check_output(const SharedOptions& options, const std::vector<std::filesystem::path>& inputs = {});
+/// the work rather than after it. Messages name `option`.
+void check_output(const SharedOptions& options, const std::vector<std::filesystem::path>& inputs = {},
+                  const std::string& option = "--out");
+
+/// Throws InputError where two options name the same file to write.
+void refuse_same_output(const std::pair<std::string, std::filesystem::path>& first,
+                        const std::pair<std::string, std::filesystem::path>& second);
 
 }  // namespace skinfit

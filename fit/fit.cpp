@@ -10,6 +10,7 @@
 #include "fit/diagnosis.hpp"
 #include "fit/inference.hpp"
 #include "fit/misfit_description.hpp"
+#include "fit/model_band.hpp"
 #include "fit/models.hpp"
 #include "fit/multistart.hpp"
 #include "fit/objective.hpp"
@@ -26,9 +27,9 @@ struct Search {
 };
 
 Search search(const Objective& cheap, const Objective& objective, Solver solver, std::uint64_t count,
-              const SearchLimits& limits = {}) {
+              const SearchLimits& limits, const FitWatch& watch) {
     const auto begin = std::chrono::steady_clock::now();
-    std::vector<DistinctMinimum> minima = distinct_minima(cheap, objective, solver, count, limits);
+    std::vector<DistinctMinimum> minima = distinct_minima(cheap, objective, solver, count, limits, watch);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     return {.minima = std::move(minima), .seconds = elapsed.count()};
 }
@@ -36,14 +37,15 @@ Search search(const Objective& cheap, const Objective& objective, Solver solver,
 /// Of each other solver, from the configured start. The angular solver takes so long that methods without derivatives
 /// are stopped after a few seconds' worth of evaluations; their answers stand as they are.
 std::vector<SolverAnswer> other_answers(const Objective& cheap, const Objective& objective,
-                                        const Configuration& configuration) {
+                                        const Configuration& configuration, const FitWatch& watch) {
     SearchLimits limits;
     if (configuration.engine == Engine::solver) limits = {.cheap_evaluations = 600, .evaluations = 60};
     std::vector<SolverAnswer> answers;
     for (std::size_t i = 0; i < solver_count; ++i) {
         const auto solver = static_cast<Solver>(i);
         if (solver == configuration.solver) continue;
-        Search other = search(cheap, objective, solver, 1, limits);
+        watch.tell({.stage = "cross-checking", .done = answers.size(), .total = solver_count - 1});
+        Search other = search(cheap, objective, solver, 1, limits, {});
         answers.push_back(
             {.solver = solver, .minimum = std::move(other.minima.front().minimum), .seconds = other.seconds});
     }
@@ -79,6 +81,16 @@ std::vector<FittedParameter> free_rows(const FitProblem& problem, const Minimum&
     return rows;
 }
 
+/// Gives each spectrum its part of the band of all readings.
+void add_model_band(const std::vector<Bounds>& band, std::vector<FittedSpectrum>& spectra) {
+    auto first = band.begin();
+    for (FittedSpectrum& spectrum : spectra) {
+        const auto last = first + static_cast<std::ptrdiff_t>(spectrum.modelled.size());
+        spectrum.modelled_95.assign(first, last);
+        first = last;
+    }
+}
+
 std::vector<FittedParameter> fixed_rows(const Configuration& configuration) {
     std::vector<FittedParameter> rows;
     for (const ParameterInfo& info : parameter_table()) {
@@ -103,12 +115,14 @@ std::vector<FittedParameter> fixed_rows(const Configuration& configuration) {
 FitResult fit_spectra(const Configuration& configuration, std::span<const Spectrum> spectra,
                       const FitOptions& options) {
     const FitProblem problem = make_problem(configuration, spectra);
-    const std::vector<ForwardModel> models = options.models
-                                                 ? options.models(problem, configuration.engine)
-                                                 : make_models(problem, configuration.engine, options.cache);
-    const Objective objective(problem, models);
-    const Objective cheap(problem, cheap_models(problem, models));
-    Search found = search(cheap, objective, configuration.solver, configuration.starts);
+    const FitWatch& watch = options.watch;
+    watch.tell({.stage = "preparing the model", .done = 0, .total = 1});
+    const std::vector<ForwardModel> models = options.models ? options.models(problem, configuration.engine)
+                                                            : make_models(problem, configuration.engine, options.cache);
+    const Objective objective(problem, models, watch.stop);
+    const Objective cheap(problem, cheap_models(problem, models), watch.stop);
+    Search found = search(cheap, objective, configuration.solver, configuration.starts, {}, watch);
+    watch.tell({.stage = "estimating the uncertainty", .done = 0, .total = 1});
     const Inference inference =
         infer(objective, found.minima.front().minimum, configuration.uncertainty, configuration.seed);
     const Minimum& minimum = inference.minimum;
@@ -117,6 +131,7 @@ FitResult fit_spectra(const Configuration& configuration, std::span<const Spectr
     result.configuration = spectra.size() == 1 ? resolved(configuration, spectra.front()) : configuration;
     result.findings = options.findings;
     describe_misfit(objective, minimum, spectra, result);
+    add_model_band(model_band(objective, inference), result.spectra);
     result.free = free_rows(problem, minimum, inference.uncertainty, configuration);
     result.fixed = fixed_rows(configuration);
     result.correlation = inference.uncertainty.correlation;
@@ -125,7 +140,7 @@ FitResult fit_spectra(const Configuration& configuration, std::span<const Spectr
     result.posterior = inference.posterior;
     result.priors = priors_in_words(problem);
     result.answer = {.solver = configuration.solver, .minimum = minimum, .seconds = found.seconds};
-    if (options.cross_check) result.cross_check = other_answers(cheap, objective, configuration);
+    if (options.cross_check) result.cross_check = other_answers(cheap, objective, configuration, watch);
     if (inference.profile && inference.profile->better_minimum) found.minima.push_back({.minimum = minimum});
     result.minima = distinct(objective, std::move(found.minima));
     const Diagnosis diagnosis = diagnose(result);

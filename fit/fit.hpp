@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fit/configuration.hpp"
+#include "fit/fit_watch.hpp"
 #include "fit/models.hpp"
 #include "fit/result.hpp"
 #include "measurements/quality.hpp"
@@ -20,10 +21,12 @@ struct FitOptions {
     std::vector<Finding> findings{};  ///< on the spectra, for the result: `findings_before_fit`
     /// What gives the models of the problem; unset: `make_models` with `cache`.
     std::function<std::vector<ForwardModel>(const FitProblem&, Engine)> models{};
+    FitWatch watch{};
 };
 
 /// Explains all `spectra` (at least one) together as `configuration` says. Throws InputError for a problem that makes
-/// no sense (`make_problem`); a fit that ends badly is a result with a verdict.
+/// no sense (`make_problem`); a fit that ends badly is a result with a verdict, and one that is cancelled throws
+/// FitCancelled at the next evaluation of the model.
 [[nodiscard]] FitResult fit_spectra(const Configuration& configuration, std::span<const Spectrum> spectra,
                                     const FitOptions& options);
 

@@ -11,21 +11,23 @@
 namespace skinfit {
 namespace {
 
-/// What to do about an unknown `key`: the known one of which it is a part or a misspelling, or all of a few.
-std::string remedy_for(std::string_view key, const std::vector<std::string_view>& known) {
-    constexpr std::size_t few = 14;     // settings and parameters are more
+/// What to do about an unknown `key`: the known one of which it is a part or a misspelling, or all of a few, else an
+/// example.
+std::string remedy_for(std::string_view key, const std::vector<std::string_view>& known, const std::string& example) {
+    constexpr std::size_t few = 4;
     constexpr std::size_t telling = 3;  // characters
     const auto longer =
         std::ranges::find_if(known, [key](std::string_view name) { return name.find(key) != std::string_view::npos; });
     if (longer != known.end() && key.size() >= telling) return fmt::format("did you mean \"{}\"?", *longer);
     if (const auto similar = similar_name(key, known)) return fmt::format("did you mean \"{}\"?", *similar);
     if (known.size() <= few) return fmt::format("give one of {}", fmt::join(known, ", "));
-    return "see `skinfit config show` for the names";
+    return example;
 }
 
 }  // namespace
 
-void refuse_unknown(const std::string& where, std::string_view key, const std::vector<std::string_view>& known) {
+void refuse_unknown(const std::string& where, std::string_view key, const std::vector<std::string_view>& known,
+                    const std::string& example) {
     if (key.empty()) {
         throw InputError({.where = where,
                           .problem = "a name is empty",
@@ -35,7 +37,7 @@ void refuse_unknown(const std::string& where, std::string_view key, const std::v
     throw InputError({.where = where,
                       .problem = fmt::format("unknown name {}", shown(std::string(key))),
                       .why = "it would have no effect",
-                      .remedy = remedy_for(key, known)});
+                      .remedy = remedy_for(key, known, example)});
 }
 
 void require_object(const Json& json, const std::string& where, const std::string& example) {
@@ -50,7 +52,7 @@ void require_names(const Json& json, const std::vector<std::string_view>& known,
                    const std::string& where) {
     require_object(json, where, required.example);
     for (const auto& [key, value] : json.items()) {
-        if (std::ranges::find(known, key) == known.end()) refuse_unknown(where, key, known);
+        if (std::ranges::find(known, key) == known.end()) refuse_unknown(where, key, known, required.example);
     }
     for (const std::string_view name : required.names) {
         if (json.contains(name)) continue;

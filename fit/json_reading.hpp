@@ -10,11 +10,13 @@
 /// InputError naming `where`.
 namespace skinfit {
 
-/// Refuses the name `key` and names the one of `known`, at least one, that was probably meant.
+/// Refuses the name `key` and names the one of `known`, at least one, that was probably meant; where there is none and
+/// they are more than a few, `example` says where the names are to be seen.
 [[noreturn]] void refuse_unknown(const std::string& where, std::string_view key,
-                                 const std::vector<std::string_view>& known);
+                                 const std::vector<std::string_view>& known,
+                                 const std::string& example = "see `skinfit config show` for the names");
 
-/// Refuses all but objects; `example` as above.
+/// Refuses all but objects; `example`, a clause, says where one is to be seen.
 void require_object(const Json& json, const std::string& where, const std::string& example);
 
 /// What an object must hold, and what to say where it does not.

@@ -21,7 +21,15 @@ public:
         const FitProblem& problem = objective_->problem();
         const std::vector<double> positions(parameters[0], parameters[0] + objective_->free_count());
         if (positions != last_positions_) {
-            last_misfit_ = objective_->misfit(from_unit_box(problem, positions));
+            try {
+                last_misfit_ = objective_->misfit(from_unit_box(problem, positions));
+            } catch (const FitCancelled&) {
+                // No exception may cross Ceres. It ends where nothing is left to gain; the evaluation after that
+                // throws.
+                last_misfit_.residual.setZero(static_cast<Eigen::Index>(objective_->residual_count()));
+                last_misfit_.jacobian.setZero(last_misfit_.residual.size(),
+                                              static_cast<Eigen::Index>(objective_->free_count()));
+            }
             last_positions_ = positions;
             ++*evaluations_;
         }

@@ -69,20 +69,25 @@ std::vector<DistinctMinimum> distinct(const Objective& objective, std::vector<Di
 }
 
 std::vector<DistinctMinimum> distinct_minima(const Objective& cheap, const Objective& objective, Solver solver,
-                                             std::size_t count, const SearchLimits& limits) {
+                                             std::size_t count, const SearchLimits& limits, const FitWatch& watch) {
     const FitProblem& problem = objective.problem();
+    std::vector<std::vector<double>> from = {starts(problem)};
+    for (const std::vector<double>& point : spread_points(count - 1, problem.free.size(), problem.seed)) {
+        from.push_back(from_unit_box(problem, point));
+    }
     // Searches over the cheap model end where its own noise lets them.
     constexpr Tolerance rough{.sigmas = 0.5, .cost = 0.25};
-    std::vector<DistinctMinimum> found = {
-        {.minimum = minimise(cheap, solver, starts(problem), limits.cheap_evaluations), .searches = 1}};
-    for (const std::vector<double>& point : spread_points(count - 1, problem.free.size(), problem.seed)) {
-        found.push_back({.minimum = minimise(cheap, solver, from_unit_box(problem, point), limits.cheap_evaluations),
-                         .searches = 1});
+    std::vector<DistinctMinimum> found;
+    for (const std::vector<double>& start : from) {
+        watch.tell({.stage = "searching", .done = found.size(), .total = from.size()});
+        found.push_back({.minimum = minimise(cheap, solver, start, limits.cheap_evaluations), .searches = 1});
     }
     std::vector<DistinctMinimum> finished = clustered(cheap, std::move(found), rough);
     if (finished.size() > most_finished) finished.resize(most_finished);
     const Solver finisher = solver == Solver::crs2 ? Solver::bobyqa : solver;
+    std::size_t done = 0;
     for (DistinctMinimum& each : finished) {
+        watch.tell({.stage = "refining", .done = done++, .total = finished.size()});
         const int before = each.minimum.evaluations;
         each.minimum = minimise(objective, finisher, each.minimum.values, limits.evaluations);
         each.minimum.evaluations += before;

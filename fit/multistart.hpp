@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "fit/fit_watch.hpp"
 #include "fit/minimum.hpp"
 
 namespace skinfit {
@@ -23,15 +24,15 @@ struct DistinctMinimum {
 
 /// What a search by a method without derivatives may cost; unset: as much as it wants.
 struct SearchLimits {
-    std::optional<int> cheap_evaluations;  ///< of each search
-    std::optional<int> evaluations;        ///< for finishing a minimum
+    std::optional<int> cheap_evaluations{};  ///< of each search
+    std::optional<int> evaluations{};        ///< for finishing a minimum
 };
 
 /// Minimises from `count` starts: the problem's, and points spread over its bounds. Each search goes over `cheap`, an
 /// approximation of `objective` on the same problem; the best distinct minima found there are then finished on
-/// `objective`. Best first; never empty. Evaluations are those of both.
+/// `objective`. Best first; never empty. Evaluations are those of both. `watch` is told of each search.
 [[nodiscard]] std::vector<DistinctMinimum> distinct_minima(const Objective& cheap, const Objective& objective,
                                                            Solver solver, std::size_t count,
-                                                           const SearchLimits& limits = {});
+                                                           const SearchLimits& limits = {}, const FitWatch& watch = {});
 
 }  // namespace skinfit

@@ -1,6 +1,7 @@
 #include "fit/noise_model.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <cassert>
 #include <cmath>
 
@@ -17,19 +18,22 @@ double covariance(const Discrepancy& discrepancy, double distance_nm) {
     return variance * (1.0 + steps) * std::exp(-steps);
 }
 
+Eigen::MatrixXd covariance(const Discrepancy& discrepancy, std::span<const double> wavelength_nm) {
+    const auto count = static_cast<Index>(wavelength_nm.size());
+    return Eigen::MatrixXd::NullaryExpr(count, count, [&](Index a, Index b) {
+        return covariance(discrepancy,
+                          wavelength_nm[static_cast<std::size_t>(a)] - wavelength_nm[static_cast<std::size_t>(b)]);
+    });
+}
+
 }  // namespace
 
 NoiseModel::NoiseModel(std::span<const double> wavelength_nm, std::span<const double> sigma,
                        const std::optional<Discrepancy>& discrepancy)
     : sigma_(Eigen::Map<const Eigen::VectorXd>(sigma.data(), static_cast<Index>(sigma.size()))) {
     if (!discrepancy) return;
-    Eigen::MatrixXd matrix = sigma_.cwiseAbs2().asDiagonal();
-    for (Index a = 0; a < matrix.rows(); ++a) {
-        for (Index b = 0; b < matrix.cols(); ++b) {
-            matrix(a, b) += covariance(
-                *discrepancy, wavelength_nm[static_cast<std::size_t>(a)] - wavelength_nm[static_cast<std::size_t>(b)]);
-        }
-    }
+    Eigen::MatrixXd matrix = covariance(*discrepancy, wavelength_nm);
+    matrix.diagonal() += sigma_.cwiseAbs2();
     const Eigen::LLT<Eigen::MatrixXd> cholesky(matrix);
     // A kernel is positive and the noise keeps it well away from singular.
     assert(cholesky.info() == Eigen::Success);
@@ -45,6 +49,13 @@ Eigen::VectorXd NoiseModel::unexplained(const Eigen::VectorXd& differences) cons
     if (factor_.size() == 0) return sigma_.cwiseInverse().asDiagonal() * differences;
     const Eigen::VectorXd whitened = factor_.triangularView<Eigen::Lower>().solve(differences);
     return sigma_.asDiagonal() * factor_.triangularView<Eigen::Lower>().transpose().solve(whitened);
+}
+
+Eigen::MatrixXd departure_root(std::span<const double> wavelength_nm, const Discrepancy& discrepancy) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance(discrepancy, wavelength_nm));
+    // Wavelengths closer than the length leave eigenvalues that rounding may make negative.
+    const Eigen::VectorXd roots = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+    return solver.eigenvectors() * roots.asDiagonal() * solver.eigenvectors().transpose();
 }
 
 }  // namespace skinfit

@@ -32,4 +32,8 @@ private:
     Eigen::MatrixXd factor_;  // lower Cholesky factor of the covariance; empty where it is diagonal
 };
 
+/// The symmetric square root of the departure's covariance, wavelengths x wavelengths: times independent standard
+/// normal numbers, a departure drawn at random.
+[[nodiscard]] Eigen::MatrixXd departure_root(std::span<const double> wavelength_nm, const Discrepancy& discrepancy);
+
 }  // namespace skinfit

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "fit/loss.hpp"
 
@@ -11,8 +12,8 @@ using Row = Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-Objective::Objective(const FitProblem& problem, const std::vector<ForwardModel>& models)
-    : problem_(&problem), first_row_{0} {
+Objective::Objective(const FitProblem& problem, const std::vector<ForwardModel>& models, std::stop_token stop)
+    : problem_(&problem), first_row_{0}, stop_(std::move(stop)) {
     assert(models.size() == problem.measurements.size());
     for (std::size_t k = 0; k < models.size(); ++k) {
         const Measurement& measurement = problem.measurements[k];
@@ -23,6 +24,7 @@ Objective::Objective(const FitProblem& problem, const std::vector<ForwardModel>&
 }
 
 Objective::Modelled Objective::model(std::span<const double> values) const {
+    leave_if_cancelled(stop_);
     if (models_.size() == 1) return models_.front().model(values);
     const Row rows = first_row_.back();
     Modelled all{.reading = VectorXd(rows),
@@ -39,6 +41,7 @@ Objective::Modelled Objective::model(std::span<const double> values) const {
 }
 
 VectorXd Objective::readings(std::span<const double> values) const {
+    leave_if_cancelled(stop_);
     VectorXd all(first_row_.back());
     for (std::size_t k = 0; k < models_.size(); ++k) {
         all.segment(first_row_[k], first_row_[k + 1] - first_row_[k]) = models_[k].readings(values);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "fit/fit_watch.hpp"
 #include "fit/forward_model.hpp"
 #include "fit/measurement_model.hpp"
 #include "fit/noise_model.hpp"
@@ -25,8 +26,9 @@ struct Misfit {
 /// those of all measurements, one measurement after the other.
 class Objective {
 public:
-    /// `models`: one per measurement, each made for its experiment. Refers to the problem, which must outlive it.
-    Objective(const FitProblem& problem, const std::vector<ForwardModel>& models);
+    /// `models`: one per measurement, each made for its experiment. Refers to the problem, which must outlive it. Once
+    /// `stop` is requested, whatever evaluates the model throws FitCancelled.
+    Objective(const FitProblem& problem, const std::vector<ForwardModel>& models, std::stop_token stop = {});
     /// Of a problem with one measurement.
     Objective(const FitProblem& problem, const ForwardModel& model)
         : Objective(problem, std::vector<ForwardModel>{model}) {}
@@ -81,6 +83,7 @@ private:
     std::vector<MeasurementModel> models_;
     std::vector<NoiseModel> noise_;        // one per measurement
     std::vector<Eigen::Index> first_row_;  // of each measurement's readings, and behind the last
+    std::stop_token stop_;
 };
 
 }  // namespace skinfit

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -12,6 +13,7 @@ struct PhysiologicalPrior {
     Parameter parameter;
     Prior prior;
     std::string_view source;
+    std::optional<Bounds> healthy{};  ///< the range published for healthy skin, where there is one
 };
 
 /// What is known of a derived quantity.

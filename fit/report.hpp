@@ -16,6 +16,15 @@ namespace skinfit {
 [[nodiscard]] std::string_view name_of(Verdict verdict);
 [[nodiscard]] std::string_view name_of(Status status);
 
+/// The value of a setting of `to_json(Configuration)`, as reports for people print it.
+[[nodiscard]] std::string setting_word(const Json& configuration, const char* key);
+
+/// Quantity, geometry and bandpass of a resolved configuration, in words.
+[[nodiscard]] std::string instrument_words(const Configuration& configuration);
+
+/// The error of the computed readings, in words.
+[[nodiscard]] std::string model_error_words(const FitResult& result);
+
 /// The report for people: verdict first, values rounded to two digits of their standard deviation.
 [[nodiscard]] std::string text_report(const FitResult& result);
 

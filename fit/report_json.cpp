@@ -92,11 +92,10 @@ Json readings_json(const FittedSpectrum& spectrum) {
     for (std::size_t i = 0; i < spectrum.measured.size(); ++i) {
         residual.push_back(spectrum.modelled[i] - spectrum.measured[i]);
     }
-    return {{"wavelength_nm", spectrum.wavelength_nm},
-            {"measured", spectrum.measured},
-            {"sigma", spectrum.sigma},
-            {"modelled", spectrum.modelled},
-            {"residual", residual}};
+    Json modelled_95 = Json::array();
+    for (const Bounds& interval : spectrum.modelled_95) modelled_95.push_back({interval.lower, interval.upper});
+    return {{"wavelength_nm", spectrum.wavelength_nm}, {"measured", spectrum.measured}, {"sigma", spectrum.sigma},
+            {"modelled", spectrum.modelled},           {"modelled_95", modelled_95},    {"residual", residual}};
 }
 
 /// Of a joint fit: each spectrum with its own misfit and geometry.

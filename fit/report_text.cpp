@@ -7,68 +7,17 @@
 #include "fit/configuration_json.hpp"
 #include "fit/inspection.hpp"
 #include "fit/measurement.hpp"
+#include "fit/parameter_words.hpp"
 #include "fit/report.hpp"
 
 namespace skinfit {
 namespace {
 
-/// `value` with two digits of `sigma` behind it: 0.01234 and 0.00056 give "0.01234".
-std::string rounded(double value, double sigma) {
-    if (!(sigma > 0.0) || !std::isfinite(sigma)) return fmt::format("{:.6g}", value);
-    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(sigma))), 0, 12);
-    return fmt::format("{:.{}f}", value, decimals);
-}
-
-std::string unit_in_words(const ParameterInfo& info) {
-    return info.unit.empty() ? "-" : std::string(info.unit);
-}
-
-/// Two digits; the angular solver draws no random numbers.
-std::string monte_carlo_words(double error) {
-    return error > 0.0 ? rounded(error, error) : "none";
-}
-
-/// One-sided where the minimum lies at a bound.
-std::string interval_words(const ParameterUncertainty& uncertainty, double grain) {
-    const std::string lower = rounded(uncertainty.interval_95.lower, grain);
-    const std::string upper = rounded(uncertainty.interval_95.upper, grain);
-    switch (uncertainty.status) {
-        case Status::at_lower_bound:
-            return "at most " + upper;
-        case Status::at_upper_bound:
-            return "at least " + lower;
-        default:
-            return lower + " to " + upper;
-    }
-}
-
-std::string model_error_words(const FitResult& result) {
-    if (!result.emulator_error) {
-        return fmt::format("Monte Carlo error of the model: {}", monte_carlo_words(result.monte_carlo_error));
-    }
-    return fmt::format("certified error of the emulator: {:.1e}, to the angular solver", *result.emulator_error);
-}
-
 std::string parameter_row(const FittedParameter& fitted) {
-    const std::string unit = unit_in_words(info(fitted.parameter));
-    const ParameterUncertainty& uncertainty = fitted.uncertainty;
-    const double width = fitted.bounds.upper - fitted.bounds.lower;
-    const double grain = uncertainty.sigma.value_or(width / 1000);
-    const std::string interval = interval_words(uncertainty, grain);
-    switch (uncertainty.status) {
-        case Status::free:
-            return fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}\n", fitted.name, rounded(fitted.value, grain),
-                               uncertainty.sigma ? rounded(*uncertainty.sigma, grain) : "-",
-                               uncertainty.sigma ? monte_carlo_words(*uncertainty.monte_carlo_sigma) : "-", interval,
-                               unit);
-        case Status::not_identifiable:
-            return fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}  NOT IDENTIFIABLE\n", fitted.name, "-", "-", "-",
-                               interval, unit);
-        default:
-            return fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}  {}\n", fitted.name, rounded(fitted.value, grain),
-                               "-", "-", interval, unit,
-                               uncertainty.status == Status::at_lower_bound ? "AT LOWER BOUND" : "AT UPPER BOUND");
-    }
+    const ParameterWords words = parameter_words(fitted);
+    return fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}{}\n", fitted.name, words.value, words.sigma,
+                       words.monte_carlo, words.interval_95, words.unit,
+                       words.remark.empty() ? "" : "  " + words.remark);
 }
 
 std::string parameter_table_text(const FitResult& result) {
@@ -159,32 +108,16 @@ std::string cost_text(const FitResult& result) {
     return text;
 }
 
-/// The value of a setting.
-std::string word(const Json& configuration, const char* key) {
-    const Json& value = configuration[key];
-    if (value.is_string()) return value.get<std::string>();
-    return value.is_number_float() ? fmt::format("{:g}", value.get<double>()) : value.dump();
-}
-
-std::string instrument_text(const Configuration& configuration) {
-    const Json json = to_json(configuration);
-    const std::optional<Bandpass> band = bandpass_of(configuration);
-    return fmt::format(
-        "{}, incidence {} deg, specular {}{}{}", word(json, "quantity"), word(json, "incidence_deg"),
-        word(json, "specular"),
-        configuration.viewing_cone_deg ? fmt::format(", viewing cone {:g} deg", *configuration.viewing_cone_deg) : "",
-        band ? fmt::format(", bandpass {} {:g} nm", word(json, "bandpass_shape"), band->width_nm) : "");
-}
-
 std::string model_text(const FitResult& result) {
     const Configuration& configuration = result.spectra.front().configuration;
     const Json json = to_json(configuration);
     const bool draws_rays = configuration.engine == Engine::paths || configuration.engine == Engine::walk;
-    const std::string rays = draws_rays ? fmt::format(", {} rays", word(json, "rays")) : "";
+    const std::string rays = draws_rays ? fmt::format(", {} rays", setting_word(json, "rays")) : "";
     std::string text =
-        fmt::format("model: edition {}, engine {}{}, seed {}; {} layers on base {}\n", word(json, "edition"),
-                    word(json, "engine"), rays, word(json, "seed"), word(json, "layers"), word(json, "base"));
-    if (result.spectra.size() == 1) text += fmt::format("instrument: {}\n", instrument_text(configuration));
+        fmt::format("model: edition {}, engine {}{}, seed {}; {} layers on base {}\n", setting_word(json, "edition"),
+                    setting_word(json, "engine"), rays, setting_word(json, "seed"), setting_word(json, "layers"),
+                    setting_word(json, "base"));
+    if (result.spectra.size() == 1) text += fmt::format("instrument: {}\n", instrument_words(configuration));
     return text + fmt::format("skinfit {}, research software, not a medical device\n", version);
 }
 
@@ -196,7 +129,7 @@ std::string title_text(const FitResult& result) {
     for (std::size_t k = 0; k < result.spectra.size(); ++k) {
         const FittedSpectrum& spectrum = result.spectra[k];
         text += fmt::format("  [{}] {} ({}): {}\n", k + 1, spectrum.name, spectrum.source,
-                            instrument_text(spectrum.configuration));
+                            instrument_words(spectrum.configuration));
     }
     return text;
 }
@@ -247,6 +180,29 @@ std::string_view name_of(Status status) {
         default:
             return "not_identifiable";
     }
+}
+
+std::string setting_word(const Json& configuration, const char* key) {
+    const Json& value = configuration[key];
+    if (value.is_string()) return value.get<std::string>();
+    return value.is_number_float() ? fmt::format("{:g}", value.get<double>()) : value.dump();
+}
+
+std::string model_error_words(const FitResult& result) {
+    if (!result.emulator_error) {
+        return fmt::format("Monte Carlo error of the model: {}", monte_carlo_words(result.monte_carlo_error));
+    }
+    return fmt::format("certified error of the emulator: {:.1e}, to the angular solver", *result.emulator_error);
+}
+
+std::string instrument_words(const Configuration& configuration) {
+    const Json json = to_json(configuration);
+    const std::optional<Bandpass> band = bandpass_of(configuration);
+    return fmt::format(
+        "{}, incidence {} deg, specular {}{}{}", setting_word(json, "quantity"), setting_word(json, "incidence_deg"),
+        setting_word(json, "specular"),
+        configuration.viewing_cone_deg ? fmt::format(", viewing cone {:g} deg", *configuration.viewing_cone_deg) : "",
+        band ? fmt::format(", bandpass {} {:g} nm", setting_word(json, "bandpass_shape"), band->width_nm) : "");
 }
 
 std::string text_report(const FitResult& result) {

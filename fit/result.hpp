@@ -47,6 +47,7 @@ struct FittedSpectrum {
     std::vector<double> measured;
     std::vector<double> sigma;
     std::vector<double> modelled;
+    std::vector<Bounds> modelled_95{};  ///< of each modelled reading: `model_band`
 };
 
 /// Everything a report needs.

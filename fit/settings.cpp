@@ -22,18 +22,6 @@ constexpr std::array<std::string_view, 3> uncertainty_names = {"covariance", "pr
 constexpr std::array<std::string_view, solver_count> solver_names = {"ceres", "bobyqa", "sbplx", "slsqp", "crs2"};
 constexpr std::array<std::string_view, 2> unit_names = {"fraction", "percent"};
 
-std::uint64_t read_count(const Json& value, std::uint64_t lowest, std::uint64_t highest, const std::string& where) {
-    const std::string remedy = fmt::format("give a whole number from {} to {}", lowest, highest);
-    if (!value.is_number()) refuse(where, value, "a number is needed", remedy);
-    const double number = value.get<double>();
-    if (number != std::floor(number)) refuse(where, value, "a whole number is needed", remedy);
-    // As doubles two neighbouring large counts may be the same.
-    const bool too_large = value.is_number_integer() && number > 0.0 ? value.get<std::uint64_t>() > highest
-                                                                     : number > static_cast<double>(highest);
-    if (number < static_cast<double>(lowest) || too_large) refuse(where, value, "out of range", remedy);
-    return value.is_number_integer() ? value.get<std::uint64_t>() : static_cast<std::uint64_t>(number);
-}
-
 template <class Enum, std::size_t count>
 Enum read_name(const Json& value, const std::array<std::string_view, count>& names, const std::string& where) {
     return static_cast<Enum>(read_choice(value, names, where));
@@ -246,6 +234,18 @@ double read_number(const Json& value, const Range& range, const std::string& whe
     const double number = value.get<double>();
     if (!(number >= range.lowest && number <= range.highest)) refuse(where, value, "out of range", remedy);
     return number;
+}
+
+std::uint64_t read_count(const Json& value, std::uint64_t lowest, std::uint64_t highest, const std::string& where) {
+    const std::string remedy = fmt::format("give a whole number from {} to {}", lowest, highest);
+    if (!value.is_number()) refuse(where, value, "a number is needed", remedy);
+    const double number = value.get<double>();
+    if (number != std::floor(number)) refuse(where, value, "a whole number is needed", remedy);
+    // As doubles two neighbouring large counts may be the same.
+    const bool too_large = value.is_number_integer() && number > 0.0 ? value.get<std::uint64_t>() > highest
+                                                                     : number > static_cast<double>(highest);
+    if (number < static_cast<double>(lowest) || too_large) refuse(where, value, "out of range", remedy);
+    return value.is_number_integer() ? value.get<std::uint64_t>() : static_cast<std::uint64_t>(number);
 }
 
 std::size_t read_choice(const Json& value, std::span<const std::string_view> names, const std::string& where) {

@@ -40,6 +40,10 @@ inline constexpr Range bandpass_width_range_nm{0, 100};
 /// The number in `value`. Throws InputError where it is none or out of range.
 [[nodiscard]] double read_number(const Json& value, const Range& range, const std::string& where);
 
+/// The whole number in `value`. Throws InputError where it is none or out of range.
+[[nodiscard]] std::uint64_t read_count(const Json& value, std::uint64_t lowest, std::uint64_t highest,
+                                       const std::string& where);
+
 /// Which of `names` `value` is. Throws InputError where it is none of them, naming the nearest.
 [[nodiscard]] std::size_t read_choice(const Json& value, std::span<const std::string_view> names,
                                       const std::string& where);

@@ -39,10 +39,9 @@ std::optional<double> individual_typology_angle_deg(const Lab& lab) {
 }
 
 SkinColour skin_colour(double individual_typology_angle_deg) {
-    constexpr std::array above_deg = {55.0, 41.0, 28.0, 10.0, -30.0};
-    const auto class_found =
-        std::ranges::find_if(above_deg, [&](double limit) { return individual_typology_angle_deg > limit; });
-    return static_cast<SkinColour>(class_found - above_deg.begin());
+    const auto class_found = std::ranges::find_if(skin_colour_begins_deg,
+                                                  [&](double limit) { return individual_typology_angle_deg > limit; });
+    return static_cast<SkinColour>(class_found - skin_colour_begins_deg.begin());
 }
 
 std::string_view name_of(SkinColour colour) {

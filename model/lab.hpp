@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 
@@ -26,6 +28,10 @@ struct Lab {
 
 /// The classes of skin colour by their angle, each above 55, 41, 28, 10 and -30 degrees. [CHARDON91] [DELBINO06]
 enum class SkinColour { very_light, light, intermediate, tan, brown, dark };
+inline constexpr std::size_t skin_colour_count = 6;
+
+/// The angles above which each class but the last begins, degrees.
+inline constexpr std::array<double, skin_colour_count - 1> skin_colour_begins_deg = {55.0, 41.0, 28.0, 10.0, -30.0};
 
 [[nodiscard]] SkinColour skin_colour(double individual_typology_angle_deg);
 

@@ -10,17 +10,12 @@ namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
 
-std::string valid_utf8(std::string_view text) {
-    const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-    return Json::parse(quoted).get<std::string>();
-}
-
 bool is_control(char c) {
     const auto byte = static_cast<unsigned char>(c);
     return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7f;
 }
 
-bool is_colour(std::string_view hex) {
+[[maybe_unused]] bool is_colour(std::string_view hex) {
     return hex.size() == 7 && hex.front() == '#' &&
            hex.find_first_not_of("0123456789abcdef", 1) == std::string_view::npos;
 }
@@ -33,6 +28,11 @@ std::string_view meaning_of(std::string_view word) {
 }
 
 }  // namespace
+
+std::string valid_utf8(std::string_view text) {
+    const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+    return Json::parse(quoted).get<std::string>();
+}
 
 Html escaped(std::string_view text) {
     std::string markup;
@@ -95,9 +95,13 @@ Html definition_list(const std::vector<std::pair<std::string, Html>>& items) {
     return element("dl", content) + Html{"\n"};
 }
 
+Html folded(std::string_view summary, const Html& content) {
+    return element("details", element("summary", escaped(summary)) + content) + Html{"\n"};
+}
+
 Html folded_text(std::string_view summary, std::string_view text) {
-    const Html pre = element("pre", element("code", escaped(text)), {{"tabindex", "0"}});
-    return element("details", element("summary", escaped(summary)) + pre) + Html{"\n"};
+    const Html content = element("pre", element("code", escaped(text)), {{"tabindex", "0"}});
+    return element("details", element("summary", escaped(summary)) + content, {{"class", "raw"}}) + Html{"\n"};
 }
 
 Html badge(std::string_view word) {

@@ -22,6 +22,9 @@ struct Html {
     return first += second;
 }
 
+/// `text` with bytes that are not UTF-8 replaced by U+FFFD.
+[[nodiscard]] std::string valid_utf8(std::string_view text);
+
 /// `text` as it is read: the characters that mean something in markup are replaced, so are bytes that are not UTF-8 and
 /// control characters, by U+FFFD; tabs and line ends stay.
 [[nodiscard]] Html escaped(std::string_view text);
@@ -45,7 +48,10 @@ using HtmlAttributes = std::vector<std::pair<std::string_view, std::string>>;
 /// Terms and what is said of each, side by side where there is room.
 [[nodiscard]] Html definition_list(const std::vector<std::pair<std::string, Html>>& items);
 
-/// Text with its line ends and blanks, that opens at a click on `summary`.
+/// Pieces that open at a click on `summary`, and on paper.
+[[nodiscard]] Html folded(std::string_view summary, const Html& content);
+
+/// Text with its line ends and blanks, that opens at a click on `summary`; on paper it stays closed.
 [[nodiscard]] Html folded_text(std::string_view summary, std::string_view text);
 
 /// The word of a verdict or of a status, set off and coloured by what it means: `trustworthy` and `fitted` are good,

@@ -35,7 +35,8 @@ std::string base64(std::string_view bytes) {
 
 Html html_figure(const HtmlFigure& figure) {
     const std::string address = "data:" + std::string(media_type(figure.picture)) + ";base64," + base64(figure.picture);
-    Html content{"<img src=\"" + address + "\" alt=\"" + escaped(figure.alternative).markup + "\" />"};
+    const Html picture{"<img src=\"" + address + "\" alt=\"" + escaped(figure.alternative).markup + "\" />"};
+    Html content = element("div", picture, {{"class", "picture"}});
     if (!figure.caption.empty()) content += element("figcaption", escaped(figure.caption));
     return element("figure", content) + Html{"\n"};
 }

@@ -1,6 +1,7 @@
 #include "study/answers.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "study/belief.hpp"
@@ -66,6 +67,21 @@ IndicatorAnswer answer(const Indicator& indicator, const LedgerRow& row, const R
     return {.probability = indicator.above ? above : 1.0 - above, .why_none = {}};
 }
 
+/// Mean and standard deviation of a posterior whose distribution is linear between its quantiles.
+QuantityEstimate of_posterior(const ParameterEstimate& parameter) {
+    const std::vector<double>& quantiles = parameter.quantiles;
+    const auto parts = static_cast<double>(quantiles.size() - 1);
+    double mean = 0.0;
+    for (std::size_t k = 1; k < quantiles.size(); ++k) mean += (quantiles[k - 1] + quantiles[k]) / 2.0 / parts;
+    double variance = 0.0;
+    for (std::size_t k = 1; k < quantiles.size(); ++k) {
+        const double a = quantiles[k - 1] - mean;
+        const double b = quantiles[k] - mean;
+        variance += (a * a + a * b + b * b) / 3.0 / parts;
+    }
+    return {.value = mean, .sigma = std::sqrt(variance), .interval_95 = parameter.interval_95};
+}
+
 }  // namespace
 
 std::vector<AnsweredRow> answered(const Study& study, std::vector<LedgerRow> rows) {
@@ -86,6 +102,7 @@ std::vector<AnsweredRow> answered(const Study& study, std::vector<LedgerRow> row
 std::optional<QuantityEstimate> estimate_of(const LedgerRow& row, const std::string& quantity) {
     if (!has_answer(row.studied.status)) return std::nullopt;
     if (const ParameterEstimate* const parameter = parameter_of(row, quantity)) {
+        if (!parameter->quantiles.empty()) return of_posterior(*parameter);
         return QuantityEstimate{
             .value = parameter->value, .sigma = parameter->sigma, .interval_95 = parameter->interval_95};
     }

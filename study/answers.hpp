@@ -34,7 +34,8 @@ struct QuantityEstimate {
     std::optional<Bounds> interval_95;  ///< of a parameter
 };
 
-/// None where the spectrum has no such estimate, or no answer: `has_answer`.
+/// Of a sampled posterior its mean and standard deviation, else value and sigma of the fit. None where the spectrum has
+/// no such estimate, or no answer: `has_answer`.
 [[nodiscard]] std::optional<QuantityEstimate> estimate_of(const LedgerRow& row, const std::string& quantity);
 
 }  // namespace skinfit

@@ -11,6 +11,7 @@
 #include "study/map_file.hpp"
 #include "study/map_preview.hpp"
 #include "study/map_tile.hpp"
+#include "study/study_run.hpp"
 
 namespace skinfit {
 namespace {
@@ -64,13 +65,13 @@ CubeEntry planned(const StudyCube& cube) {
     return entry;
 }
 
-void write_map(const Ledger& ledger, const Study& study, const StudyCube& cube, const std::string& configuration_hash) {
+void write_map(const Ledger& ledger, const Study& study, const StudyCube& cube, const EnsembleCache& cache) {
     const SpectralCube opened(cube.path, cube.unit);
-    const PixelFitter fitter(configuration_of(study), common_spectrum(opened), {});
+    const PixelFitter fitter(configuration_of(study), common_spectrum(opened), cache);
     const std::filesystem::path folder = study.output / "maps";
     std::filesystem::create_directories(folder);
     const std::filesystem::path map = folder / map_name(cube.source);
-    EnviWriter writer(map, map_output(fitter.problem(), opened, configuration_hash));
+    EnviWriter writer(map, map_output(fitter.problem(), opened, configuration_hash_of(study)));
     for_each_tile(ledger, cube.source, [&](const FittedTile& tile) { writer.append(tile.bytes); });
     writer.finish();
     (void)draw_map(map, folder);

@@ -25,10 +25,11 @@ constexpr std::size_t most_pixels = 600;
 
 // Pixels.
 constexpr int left_margin = 60;
-constexpr int beside_panel = 230;  // for the colour bar and its labels
+constexpr int beside_panel = 260;  // for the colour bar and its labels
 constexpr int above_panel = 70;
 constexpr int below_panel = 60;
-constexpr int least_width = 200;  // of the place of a panel
+constexpr int least_width = 200;   // of the place of a panel
+constexpr int least_height = 200;  // of the colour bar
 
 constexpr std::string_view viridis =
     "set palette maxcolors 0\nset palette defined (0 '#440154', 1 '#472d7b', 2 '#3b528b', 3 '#2c728e', 4 '#21918c', "
@@ -76,32 +77,53 @@ Layout layout_of(const ReducedMap& map) {
     return {.width = width,
             .height = height,
             .picture = {.width = 2 * (left_margin + std::max(width, least_width) + beside_panel),
-                        .height = above_panel + height + below_panel}};
+                        .height = above_panel + std::max(height, least_height) + below_panel}};
 }
 
-/// The frame of panel `column`, 0 or 1, and its axes, which count the pixels of the map.
+/// The frame of panel `column`, 0 or 1, its axes, which count the pixels of the map, and the place of its colour bar.
 std::string frame_script(const ReducedMap& map, const Layout& layout, int column, std::string_view title) {
+    constexpr int gap = 12;
+    constexpr int bar_width = 22;
     const double left = left_margin + column * layout.picture.width / 2;
     const double width = layout.picture.width;
     const double height = layout.picture.height;
+    const double bar_height = std::max(layout.height, least_height);
     const auto block = static_cast<double>(map.block);
-    return fmt::format(
-        "set lmargin at screen {}\nset rmargin at screen {}\nset tmargin at screen {}\nset bmargin at screen {}\n"
-        "set xrange [-0.5:{}]\nset yrange [{}:-0.5]\nset title {}\n",
+    std::string script = column == 0 ? "" : "unset label\n";  // the note stands once
+    script += fmt::format(
+        "set lmargin at screen {}\nset rmargin at screen {}\nset tmargin at screen {}\nset bmargin at screen {}\n",
         left / width, (left + layout.width) / width, 1.0 - above_panel / height,
-        1.0 - (above_panel + layout.height) / height, static_cast<double>(map.samples) * block - 0.5,
-        static_cast<double>(map.lines) * block - 0.5, gnuplot_string(title));
+        1.0 - (above_panel + layout.height) / height);
+    script += fmt::format("set colorbox user origin screen {},screen {} size screen {},screen {}\n",
+                          (left + layout.width + gap) / width, 1.0 - (above_panel + bar_height) / height,
+                          bar_width / width, bar_height / height);
+    return script + fmt::format("set xrange [-0.5:{}]\nset yrange [{}:-0.5]\nset title {}\n",
+                                static_cast<double>(map.samples) * block - 0.5,
+                                static_cast<double>(map.lines) * block - 0.5, gnuplot_string(title));
+}
+
+/// Every number twice in both directions.
+std::vector<float> doubled(const std::vector<float>& value, std::size_t samples) {
+    std::vector<float> result;
+    for (std::size_t i = 0; i < 4 * value.size(); ++i) {
+        result.push_back(value[i / (4 * samples) * samples + i % (2 * samples) / 2]);
+    }
+    return result;
 }
 
 /// Draws numbers as gnuplot reads them behind the command.
 std::string image_script(const ReducedMap& map, const std::vector<float>& value) {
-    const auto block = static_cast<double>(map.block);
-    const double origin = 0.5 * (block - 1.0);  // the middle of the first block
+    // gnuplot draws no picture of a single line or column.
+    const bool is_thin = std::min(map.samples, map.lines) == 1;
+    const std::vector<float> drawn = is_thin ? doubled(value, map.samples) : value;
+    const std::size_t times = is_thin ? 2 : 1;
+    const double step = static_cast<double>(map.block) / static_cast<double>(times);
+    const double origin = 0.5 * (step - 1.0);  // the middle of the first number, where that of the first pixel is 0
     std::string script =
         fmt::format("plot '-' binary array=({},{}) dx={} dy={} origin=({},{}) format='%float32' endian={} with image\n",
-                    map.samples, map.lines, block, block, origin, origin,
+                    times * map.samples, times * map.lines, step, step, origin, origin,
                     std::endian::native == std::endian::little ? "little" : "big");
-    script.append(reinterpret_cast<const char*>(value.data()), value.size() * sizeof(float));
+    script.append(reinterpret_cast<const char*>(drawn.data()), drawn.size() * sizeof(float));
     return script + "\n";
 }
 

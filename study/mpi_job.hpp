@@ -21,7 +21,6 @@ public:
     ~MpiJob();
 
     [[nodiscard]] bool leads() const { return rank_ == 0; }
-    [[nodiscard]] int size() const { return size_; }
 
     /// The followers, for the leader. Calls must come from the thread that made this.
     [[nodiscard]] RemoteCrews followers();
@@ -37,8 +36,5 @@ private:
     int size_ = 1;
     std::vector<std::size_t> waiting_;  // tasks that each process would take now
 };
-
-/// How many processes the MPI launcher that started this one has started; 1 where none did.
-[[nodiscard]] int launched_processes();
 
 }  // namespace skinfit

@@ -54,7 +54,7 @@ std::optional<double> improbable_chi2(const FitProblem& problem) {
 
 LeanFitter fitter_of(const FitProblem& problem, const EnsembleCache& cache) {
     const std::vector<ForwardModel> models = make_models(problem, Engine::emulator, cache);
-    return {problem, std::get<Emulator>(models.front())};
+    return {problem, std::get<Emulator>(models.front()), pixel_options};
 }
 
 PixelReason reason_named(const std::string& finding) {

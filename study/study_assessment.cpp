@@ -8,6 +8,7 @@
 
 #include "core/input_error.hpp"
 #include "core/text.hpp"
+#include "study/study_groups.hpp"
 
 namespace skinfit {
 namespace {
@@ -172,6 +173,27 @@ Json assessments_json(const Study& study, const std::vector<AnsweredRow>& rows) 
                        ? indicator_json(assessed(study, assessment, rows))
                        : Json{{"agreement", agreement_json(method_agreement(pairs_of(assessment, rows)))}});
         json.push_back(one);
+    }
+    return json;
+}
+
+Json repeatability_json(const Study& study, const std::vector<AnsweredRow>& rows) {
+    if (study.repeats_of.empty()) return {};
+    Json json = Json::object();
+    for (const std::string& quantity : quantities_in(rows)) {
+        const std::optional<RepeatabilityAnalysis> found = repeatability(repeats_of(study, rows, quantity));
+        if (!found) continue;
+        Json one = {{"specimens", found->repeated_specimens},
+                    {"spectra", found->repeats},
+                    {"within_specimen_sd", estimate_json(found->within_specimen_sd)},
+                    {"between_specimen_sd", number_json(found->between_specimen_sd)},
+                    {"intraclass_correlation", estimate_json(found->intraclass_correlation)}};
+        if (found->claimed) {
+            one["claimed_sigma"] = found->claimed->sigma;
+            one["ratio"] = estimate_json(found->claimed->ratio);
+            one["p_value"] = found->claimed->p_value;
+        }
+        json[quantity] = one;
     }
     return json;
 }

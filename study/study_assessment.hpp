@@ -33,4 +33,7 @@ struct IndicatorAssessment {
 /// All assessments of a study as JSON.
 [[nodiscard]] Json assessments_json(const Study& study, const std::vector<AnsweredRow>& rows);
 
+/// The scatter of repeats of every parameter and index as JSON; null where the study has no repeats.
+[[nodiscard]] Json repeatability_json(const Study& study, const std::vector<AnsweredRow>& rows);
+
 }  // namespace skinfit

@@ -29,28 +29,40 @@ double median_of(std::vector<double> values) {
     return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2.0;
 }
 
-/// The reasons of a spectrum, each by its first words: "AT BOUND", or "collapse_at_end".
-std::vector<std::string> short_reasons(const StudiedSpectrum& studied) {
-    std::vector<std::string> reasons;
+/// One reason why a spectrum is not simply fitted.
+struct Reason {
+    std::string_view words;  ///< the first of them: "AT BOUND", or "collapse_at_end"
+    std::string_view whole;
+};
+
+/// The first words of what is wrong with a fit, in capitals, without the names that follow them.
+std::string_view capitals(std::string_view reason) {
+    const std::string_view words = reason.substr(0, reason.find(':'));
+    const std::size_t lower = words.find_first_of("abcdefghijklmnopqrstuvwxyz");
+    return lower == std::string_view::npos || lower < 2 ? words : words.substr(0, lower - 1);
+}
+
+/// Of the message of an error, `<where>: <problem> (<why>); <remedy>`, the problem.
+std::string_view problem_of(std::string_view message) {
+    const std::size_t colon = message.find(": ");
+    if (colon != std::string_view::npos) message.remove_prefix(colon + 2);
+    return message.substr(0, message.find(" ("));
+}
+
+std::vector<Reason> reasons_of(const StudiedSpectrum& studied) {
+    constexpr std::string_view between = " | ";
+    std::vector<Reason> reasons;
     std::string_view rest = studied.reason;
     while (!rest.empty()) {
-        const std::size_t end = rest.find(" | ");
-        const std::string_view one = rest.substr(0, end);
-        // A file's name stands before the colon of an error; what is wrong, behind it.
-        const std::size_t colon = one.find(studied.status == FitStatus::failed ? ": " : ":");
+        const std::size_t end = rest.find(between);
+        const std::string_view whole = rest.substr(0, end);
+        rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + between.size());
         const bool is_error = studied.status == FitStatus::failed && studied.verdict.empty();
-        std::string_view words =
-            is_error && colon != std::string_view::npos ? one.substr(colon + 2) : one.substr(0, colon);
-        if (is_error) words = words.substr(0, words.find(" ("));
-        // "CHAINS HAVE NOT MIXED in a parameter" counts once.
-        if (!is_error && studied.status == FitStatus::suspect) {
-            const std::size_t lower = words.find_first_of("abcdefghijklmnopqrstuvwxyz");
-            if (lower != std::string_view::npos && lower > 1) words = words.substr(0, lower - 1);
-        }
-        if (std::ranges::find(reasons, words) == reasons.end()) reasons.emplace_back(words);
-        rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 3);
+        const std::string_view words = is_error                                ? problem_of(whole)
+                                       : studied.status == FitStatus::rejected ? whole.substr(0, whole.find(':'))
+                                                                               : capitals(whole);
+        if (std::ranges::find(reasons, words, &Reason::words) == reasons.end()) reasons.push_back({words, whole});
     }
-    if (reasons.empty()) reasons.emplace_back(name_of(studied.status));
     return reasons;
 }
 
@@ -124,9 +136,9 @@ std::vector<ReasonCount> reasons_in(const std::vector<AnsweredRow>& rows) {
     for (const AnsweredRow& each : rows) {
         const StudiedSpectrum& studied = each.row.studied;
         if (studied.status == FitStatus::fitted || studied.status == FitStatus::pending) continue;
-        for (const std::string& reason : short_reasons(studied)) {
+        for (const Reason& reason : reasons_of(studied)) {
             const auto found = std::ranges::find_if(counts, [&](const ReasonCount& count) {
-                return count.status == studied.status && count.reason == reason;
+                return count.status == studied.status && count.reason == reason.words;
             });
             if (found != counts.end()) {
                 ++found->spectra;
@@ -134,7 +146,7 @@ std::vector<ReasonCount> reasons_in(const std::vector<AnsweredRow>& rows) {
             }
             counts.push_back(
                 {.status = studied.status,
-                 .reason = reason,
+                 .reason = std::string(reason.words),
                  .spectra = 1,
                  .example = fmt::format("{} {}: {}", each.row.key.source, each.row.key.name, studied.reason)});
         }

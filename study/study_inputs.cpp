@@ -56,11 +56,12 @@ std::vector<fs::path> matches(const std::string& pattern, const fs::path& folder
                       .remedy = "correct the pattern, or leave it out"});
 }
 
-/// As the ledger names it.
-std::string source_of(const fs::path& path, const fs::path& folder) {
-    const fs::path relative = path.lexically_normal().lexically_relative(folder.lexically_normal());
-    if (relative.empty() || *relative.begin() == "..") return path.lexically_normal().string();
-    return relative.string();
+/// As the ledger names it, however the study's own file is named: relative to its folder, unless the study names the
+/// file (`named`) by an absolute path.
+std::string source_of(const fs::path& path, const fs::path& named, const fs::path& folder) {
+    if (named.is_absolute()) return path.lexically_normal().string();
+    const fs::path from = folder.empty() ? fs::path(".") : folder;
+    return path.lexically_normal().lexically_relative(from.lexically_normal()).string();
 }
 
 Metadata read_metadata(const Json& json, const std::string& where) {
@@ -140,7 +141,7 @@ void add_files(const Json& json, const fs::path& folder, const std::string& wher
         for (const fs::path& path : matches(pattern, folder, where + ".files")) {
             inputs.files.push_back(common);
             inputs.files.back().path = path;
-            inputs.files.back().source = source_of(path, folder);
+            inputs.files.back().source = source_of(path, pattern, folder);
         }
     }
 }
@@ -148,12 +149,14 @@ void add_files(const Json& json, const fs::path& folder, const std::string& wher
 void add_manifest(const Json& json, const fs::path& folder, const std::string& where, StudyInputs& inputs) {
     require_names(json, {"manifest", "unit", "reader", "metadata"}, {{}, "", example}, where);
     const StudyFile common = common_file(json, where);
-    const fs::path path = folder / word(json["manifest"], where + ".manifest");
+    const fs::path named = word(json["manifest"], where + ".manifest");
+    const fs::path path = folder / named;
     const std::size_t first = inputs.files.size();
     std::map<std::string, std::size_t> places;
     for (const ManifestRow& row : parse_manifest(read_file(path), path.string())) {
         const fs::path file = path.parent_path() / row.file;
-        const auto [place, is_new] = places.try_emplace(source_of(file, folder), first + places.size());
+        const auto [place, is_new] =
+            places.try_emplace(source_of(file, named.parent_path() / row.file, folder), first + places.size());
         if (is_new) {
             inputs.files.push_back(common);
             inputs.files.back().path = file;
@@ -175,7 +178,7 @@ void add_cubes(const Json& json, const fs::path& folder, const std::string& wher
         for (const fs::path& path : matches(pattern, folder, where + ".cube")) {
             inputs.cubes.push_back(common);
             inputs.cubes.back().path = path;
-            inputs.cubes.back().source = source_of(path, folder);
+            inputs.cubes.back().source = source_of(path, pattern, folder);
         }
     }
 }

@@ -8,6 +8,8 @@
 
 #include "core/version.hpp"
 #include "fit/report.hpp"
+#include "study/colour_classes.hpp"
+#include "study/study_assessment.hpp"
 
 namespace skinfit {
 namespace {
@@ -110,6 +112,19 @@ void add_parameter(const StudiedSpectrum& studied, const std::string& name, Line
     line.add(std::string(name_of(found->status)));
 }
 
+/// The most probable class of skin colour, and its probability.
+void add_colour(const StudiedSpectrum& studied, Line& line) {
+    const std::optional<ColourClassProbabilities> classes = colour_classes_of(studied);
+    if (!classes) {
+        line.add("");
+        line.add("");
+        return;
+    }
+    const auto most = std::ranges::max_element(*classes);
+    line.add(std::string(name_of(static_cast<SkinColour>(most - classes->begin()))));
+    line.add(number(*most));
+}
+
 std::string row_line(const AnsweredRow& each, const Columns& columns) {
     const LedgerRow& row = each.row;
     const StudiedSpectrum& studied = row.studied;
@@ -128,6 +143,7 @@ std::string row_line(const AnsweredRow& each, const Columns& columns) {
         line.add(known ? number(found->value) : "");
         line.add(known ? number(found->sigma) : "");
     }
+    add_colour(studied, line);
     for (const IndicatorAnswer& answer : each.indicators) line.add(number(answer.probability));
     for (const auto& pair : columns.correlated) line.add(number(correlation_of(studied, pair)));
     for (const std::optional<double>& value :
@@ -262,11 +278,13 @@ std::string study_csv(const Study& study, const std::vector<AnsweredRow>& rows) 
     return text;
 }
 
-Json study_json(const Study& study, const Ledger& ledger, const std::vector<AnsweredRow>& rows) {
+Json results_json(const Study& study, const Ledger& ledger, const std::vector<AnsweredRow>& rows) {
     Json json = {{"study", study.name}, {"version", ledger.note("version")}};
     json["configuration"] = Json::parse(ledger.note("configuration"));
     json.update(definitions_json(study));
     json["counts"] = status_json(counts_of(ledger));
+    json["repeatability"] = repeatability_json(study, rows);
+    json["assessments"] = assessments_json(study, rows);
     json["spectra"] = Json::array();
     for (const AnsweredRow& each : rows) json["spectra"].push_back(row_json(study, each));
     json["cubes"] = cubes_json(ledger);

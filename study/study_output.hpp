@@ -33,8 +33,8 @@ struct StudyCounts {
 [[nodiscard]] std::string study_csv(const Study& study, const std::vector<AnsweredRow>& rows);
 
 /// The same as JSON, with the study's name, the configuration of its fits, the definitions of indicators and indices,
-/// and the cubes.
-[[nodiscard]] Json study_json(const Study& study, const Ledger& ledger, const std::vector<AnsweredRow>& rows);
+/// repeatability and assessments, and the cubes. Throws InputError as `pairs_of`.
+[[nodiscard]] Json results_json(const Study& study, const Ledger& ledger, const std::vector<AnsweredRow>& rows);
 
 /// `text` as one cell of a table: in quotes where it needs them, with blanks for ends of lines.
 [[nodiscard]] std::string csv_cell(const std::string& text);

@@ -12,6 +12,7 @@
 #include "report/html_page.hpp"
 #include "report/html_table.hpp"
 #include "study/assessment_sections.hpp"
+#include "study/colour_classes.hpp"
 #include "study/study_groups.hpp"
 
 namespace skinfit {
@@ -41,11 +42,10 @@ std::vector<Html> count_row(const Html& name, const StatusCounts& counts) {
     return row;
 }
 
-Html summary(const Study& study, const StudyResults& results) {
+Html summary(const StudyResults& results) {
     HtmlTable table{.caption = "", .columns = count_columns("what"), .rows = {}};
     table.rows.push_back(count_row(escaped("spectra"), results.counts.spectra));
     if (!results.cubes.empty()) table.rows.push_back(count_row(escaped("pixels"), results.counts.pixels));
-    (void)study;
     return html_table(table) +
            paragraph(
                "Fitted: with a trustworthy answer. Suspect: with an answer and reasons to doubt it. Rejected: not "
@@ -71,7 +71,7 @@ HtmlSection reasons_section(const StudyResults& results) {
 }
 
 Html group_table(const std::vector<StudyGroup>& groups, const std::string& quantity) {
-    HtmlTable table{.caption = quantity,
+    HtmlTable table{.caption = "",
                     .columns = {{.name = "group", .cells = Cells::text},
                                 {.name = "spectra"},
                                 {.name = "mean", .unit = unit_of(quantity)},
@@ -105,6 +105,29 @@ Html group_picture(const std::vector<StudyGroup>& groups, const std::string& qua
          .caption = groups.size() > most ? fmt::format("the first {} of {} groups", most, groups.size()) : ""});
 }
 
+/// How many spectra of each group have which colour, to be expected by the probabilities of each.
+Html colour_table(const std::vector<StudyGroup>& groups) {
+    HtmlTable table{.caption =
+                        "Classes of skin colour by the individual typology angle [CHARDON91] [DELBINO06]: expected "
+                        "numbers of spectra, each counted by the probabilities of its classes",
+                    .columns = {{.name = "group", .cells = Cells::text}},
+                    .rows = {}};
+    for (std::size_t i = 0; i < skin_colour_count; ++i) {
+        table.columns.push_back({.name = std::string(name_of(static_cast<SkinColour>(i)))});
+    }
+    for (const StudyGroup& group : groups) {
+        ColourClassProbabilities expected{};
+        for (const AnsweredRow* const each : group.rows) {
+            const std::optional<ColourClassProbabilities> classes = colour_classes_of(each->row.studied);
+            for (std::size_t i = 0; classes && i < expected.size(); ++i) expected[i] += (*classes)[i];
+        }
+        std::vector<Html> row = {escaped(group.name)};
+        for (const double number : expected) row.push_back(escaped(fmt::format("{:.1f}", number)));
+        table.rows.push_back(std::move(row));
+    }
+    return html_table(table);
+}
+
 HtmlSection groups_section(const Study& study, const StudyResults& results) {
     const std::vector<StudyGroup> groups = groups_of(study, results.rows);
     Html body;
@@ -117,6 +140,9 @@ HtmlSection groups_section(const Study& study, const StudyResults& results) {
         body += subheading(quantity) + group_table(groups, quantity) + group_picture(groups, quantity);
     }
     if (body.markup.empty()) body = paragraph("No spectrum has an answer.");
+    const bool has_colours = std::ranges::any_of(
+        results.rows, [](const AnsweredRow& each) { return colour_classes_of(each.row.studied).has_value(); });
+    if (has_colours) body += subheading("skin colour") + colour_table(groups);
     return {.title = "Parameters and indices", .body = body, .starts_page = true};
 }
 
@@ -181,7 +207,7 @@ StudyResults results_of(const Study& study, const Ledger& ledger) {
 
 std::string study_page(const Study& study, const StudyResults& results) {
     HtmlPage page{.title = study.name,
-                  .summary = summary(study, results),
+                  .summary = summary(results),
                   .sections = {},
                   .footer = fmt::format("skinfit {}. Research software, not a medical device.", results.version)};
     page.sections.push_back(reasons_section(results));

@@ -128,18 +128,18 @@ void check_settings(const Study& study) {
 }
 
 /// Writes the maps of all cubes whose tiles are all done.
-void write_maps(const Study& study, const Ledger& ledger, const std::string& hash, const StudyRunOptions& options) {
+void write_maps(const Study& study, const Ledger& ledger, const StudyRunOptions& options) {
     for (const CubeRow& row : cube_rows(ledger)) {
         if (row.tiles == 0 || row.tiles_done < row.tiles || !row.map.empty()) continue;
         const auto cube = std::ranges::find(study.cubes, row.source, &StudyCube::source);
         options.tell(fmt::format("writing the map of {}", row.source));
-        write_map(ledger, study, *cube, hash);
+        write_map(ledger, study, *cube, options.cache);
     }
 }
 
 void make_folder(const std::filesystem::path& folder) {
     std::error_code error;
-    std::filesystem::create_directories(folder, error);
+    if (!folder.empty()) std::filesystem::create_directories(folder, error);
     if (!error) return;
     throw InputError({.where = folder.string(),
                       .problem = "cannot be made",
@@ -210,7 +210,7 @@ StudyRun run_study(const Study& study, const StudyRunOptions& options) {
                                       options.remote);
         run.stopped = done < tasks.size();
     }
-    if (options.part.parts == 1) write_maps(study, ledger, hash, options);
+    if (options.part.parts == 1) write_maps(study, ledger, options);
     return run;
 }
 
@@ -228,7 +228,7 @@ StudyRun merge_study(const Study& study, const std::vector<std::filesystem::path
         options.tell(fmt::format("{}: {} spectra and {} tiles", path.string(), taken.spectra, taken.tiles));
         run.progress.spectra += taken.spectra;
     }
-    write_maps(study, ledger, hash, options);
+    write_maps(study, ledger, options);
     return run;
 }
 

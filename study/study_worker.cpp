@@ -34,7 +34,7 @@ public:
 
     TileDone fit(const TileTask& task) {
         const auto begin = std::chrono::steady_clock::now();
-        TileDone done{.cube = task.cube, .tile = {.tile = task.tile}, .problem = {}};
+        TileDone done{.cube = task.cube, .tile = {.tile = task.tile, .pixels = {}, .bytes = {}}, .problem = {}};
         try {
             const StudyCube& cube = study_.cubes[task.cube];
             const SpectralCube opened(cube.path, cube.unit);

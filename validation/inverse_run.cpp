@@ -2,27 +2,10 @@
 
 #include "core/input_error.hpp"
 #include "fit/models.hpp"
-#include "fit/wavelength_sets.hpp"
+#include "fit/simulation.hpp"
 
 namespace skinfit {
 namespace {
-
-/// Stands for a measurement until one is drawn; a ramp, since a constant spectrum would be refused.
-Spectrum placeholder(const Configuration& configuration) {
-    Spectrum spectrum{.name = "synthetic",
-                      .source = "synthetic",
-                      .wavelength_nm = parse_wavelengths(configuration.wavelengths, "wavelengths"),
-                      .value = {},
-                      .sigma = {},
-                      .quantity = {},
-                      .geometry = {},
-                      .unit_rule = "fractions, as computed"};
-    const auto count = static_cast<double>(spectrum.wavelength_nm.size());
-    for (std::size_t i = 0; i < spectrum.wavelength_nm.size(); ++i) {
-        spectrum.value.push_back(static_cast<double>(i) / count);
-    }
-    return spectrum;
-}
 
 /// By the analog walk, each spectrum with a seed of its own.
 Simulator walked(const FitProblem& problem) {
@@ -69,7 +52,7 @@ InverseStudy run_inverse_study(const Configuration& configuration, Engine simula
                           .why = "the spectra are those of the model, with noise alone",
                           .remedy = "leave it out"});
     }
-    const Spectrum spectrum = placeholder(configuration);
+    const Spectrum spectrum = blank_spectrum(configuration);
     const Configuration complete = resolved(configuration, spectrum);
     const FitProblem problem = make_problem(complete, spectrum);
     FitProblem simulated = problem;

@@ -10,6 +10,7 @@
 #include "core/input_error.hpp"
 #include "fit/models.hpp"
 #include "fit/multistart.hpp"
+#include "fit/simulation.hpp"
 
 namespace skinfit {
 namespace {
@@ -22,30 +23,6 @@ struct Case {
     std::vector<double> truth;
     std::vector<double> measured;
 };
-
-double drawn_value(const FreeParameter& free, ChainRandom& random) {
-    const double share = random.uniform();
-    if (free.prior) return quantile_within(*free.prior, free.bounds, share);
-    return free.bounds.lower + share * (free.bounds.upper - free.bounds.lower);
-}
-
-/// Drawn again as often as the priors on derived quantities refuse: those multiply the density of the others.
-std::vector<double> drawn_skin(const FitProblem& problem, ChainRandom& random) {
-    Experiment experiment = problem.only().experiment;
-    while (true) {
-        std::vector<double> values;
-        for (const FreeParameter& free : problem.free) {
-            values.push_back(drawn_value(free, random));
-            value_of(experiment.values, free.parameter) = values.back();
-        }
-        double squares = 0.0;
-        for (const DerivedPrior& derived : problem.derived_priors) {
-            const double value = derived_value(derived.quantity, experiment.values);
-            squares += std::pow(prior_residual(derived.prior, value).value, 2);
-        }
-        if (random.uniform() < std::exp(-0.5 * squares)) return values;
-    }
-}
 
 Case drawn_case(const FitProblem& problem, const Simulator& simulate, const RecoveryDesign& design,
                 std::uint64_t number) {

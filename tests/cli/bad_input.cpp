@@ -151,8 +151,8 @@ TEST_F(BadInput, Outputs) {
 }
 
 TEST_F(BadInput, CommandLines) {
-    expect_refused({},
-                   "give one of fit, inspect, simulate, sensitivity, design, gonio, validate, bench, convert, config");
+    expect_refused(
+        {}, "give one of fit, inspect, simulate, sensitivity, design, gonio, validate, study, bench, convert, config");
     expect_refused({"fitt"}, "did you mean `skinfit fit`?");
     expect_refused({"--sed", "1"}, "unknown option --sed");
     expect_refused({"config"}, "give one of show, schema, check");
@@ -166,6 +166,14 @@ TEST_F(BadInput, CommandLines) {
     expect_refused({"fit", "good.csv", "--config"}, "value is missing");
     expect_refused({"simulate", "--threads", "0"}, "--threads");
     expect_refused({"simulate", "--colum", "x"}, "unknown option --colum");
+}
+
+TEST_F(BadInput, APageNeedsItsFileAndItsPort) {
+    expect_refused({"explore", "missing.csv"}, "missing.csv");
+    expect_refused({"explore", "--port", "70000"}, "--port");
+    expect_refused({"explore", "--port", "1x"}, "--port");
+    put("bad.csv", "dear diary\n");
+    expect_refused({"explore", "bad.csv"}, "bad.csv");
 }
 
 }  // namespace

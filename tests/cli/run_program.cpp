@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
+#include <csignal>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -40,35 +42,58 @@ int open_stdout(Stdout where, const std::filesystem::path& captured) {
 
 }  // namespace
 
-Outcome run_skinfit(const std::vector<std::string>& arguments, const std::filesystem::path& folder, Stdout where) {
-    // Beside the folder of the test, where a file left behind would show.
-    const std::filesystem::path out = folder.string() + ".stdout";
-    const std::filesystem::path err = folder.string() + ".stderr";
-    std::filesystem::remove(out);
-    const int out_descriptor = open_stdout(where, out);
-    const int err_descriptor = open_for_writing(err);
-    std::vector<char*> argv = {const_cast<char*>("skinfit")};
-    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+// Files beside the folder of the test, where one left behind would show; each program has its own.
+StartedProgram::StartedProgram(const std::vector<std::string>& words, const std::filesystem::path& folder,
+                               Stdout where) {
+    static std::atomic<int> started = 0;
+    const std::string name = folder.string() + "." + std::to_string(started++);
+    out_ = name + ".stdout";
+    err_ = name + ".stderr";
+    const int out_descriptor = open_stdout(where, out_);
+    const int err_descriptor = open_for_writing(err_);
+    std::vector<char*> argv;
+    for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
     argv.push_back(nullptr);
-    const pid_t child = ::fork();
-    if (child < 0) throw std::runtime_error("cannot fork");
-    if (child == 0) {
+    process_ = ::fork();
+    if (process_ < 0) throw std::runtime_error("cannot fork");
+    if (process_ == 0) {
         ::dup2(out_descriptor, STDOUT_FILENO);
         ::dup2(err_descriptor, STDERR_FILENO);
-        if (::chdir(folder.c_str()) == 0) ::execv(SKINFIT_PROGRAM, argv.data());
+        if (::chdir(folder.c_str()) == 0) ::execvp(argv[0], argv.data());
         ::_exit(127);
     }
     ::close(out_descriptor);
     ::close(err_descriptor);
+}
+
+void StartedProgram::kill() const {
+    send(SIGKILL);
+}
+
+void StartedProgram::send(int signal) const {
+    ::kill(process_, signal);
+}
+
+Outcome StartedProgram::wait() const {
     int status = 0;
-    if (::waitpid(child, &status, 0) != child) throw std::runtime_error("lost the program");
+    if (::waitpid(process_, &status, 0) != process_) throw std::runtime_error("lost the program");
     Outcome outcome{.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
                     .signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0,
-                    .out = std::filesystem::exists(out) ? read_file(out) : "",
-                    .err = read_file(err)};
-    std::filesystem::remove(out);
-    std::filesystem::remove(err);
+                    .out = std::filesystem::exists(out_) ? read_file(out_) : "",
+                    .err = read_file(err_)};
+    std::filesystem::remove(out_);
+    std::filesystem::remove(err_);
     return outcome;
+}
+
+std::string skinfit_program() {
+    return SKINFIT_PROGRAM;
+}
+
+Outcome run_skinfit(const std::vector<std::string>& arguments, const std::filesystem::path& folder, Stdout where) {
+    std::vector<std::string> words = {skinfit_program()};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return StartedProgram(words, folder, where).wait();
 }
 
 }  // namespace skinfit::test

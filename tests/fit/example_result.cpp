@@ -141,6 +141,7 @@ FitResult trustworthy_result() {
     result.identifiability = {.names = names_of(result.free),
                               .directions = {{.singular_value = 117.4, .components = Eigen::VectorXd::Ones(1)}},
                               .shrinkage = {0.99993}};
+    result.answer.solver = Solver::ceres;
     result.answer.minimum.cost = result.cost;
     result.answer.minimum.converged = true;
     result.minima = {{.minimum = result.answer.minimum, .searches = 8}};

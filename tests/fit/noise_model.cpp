@@ -46,6 +46,18 @@ TEST(NoiseModel, WhitensItsCovariance) {
     }
 }
 
+TEST(NoiseModel, RootOfTheDepartureSquaredIsItsCovariance) {
+    for (const Kernel kernel : {Kernel::squared_exponential, Kernel::matern_3_2}) {
+        const Discrepancy discrepancy{.sigma = 0.005, .length_nm = 30, .kernel = kernel};
+        const Eigen::MatrixXd root = departure_root(wavelength_nm, discrepancy);
+        Eigen::MatrixXd expected = covariance(discrepancy);
+        for (Eigen::Index i = 0; i < 6; ++i) expected(i, i) -= std::pow(sigma[static_cast<std::size_t>(i)], 2);
+        // In roundings of the largest element; those of the eigenvectors add up over six of them.
+        EXPECT_LT((root * root - expected).cwiseAbs().maxCoeff(), 100 * epsilon * expected.maxCoeff());
+        EXPECT_LT((root - root.transpose()).cwiseAbs().maxCoeff(), 100 * epsilon * root.maxCoeff());
+    }
+}
+
 TEST(NoiseModel, WithoutDiscrepancyDividesBySigma) {
     const Eigen::VectorXd whitened = NoiseModel(wavelength_nm, sigma, std::nullopt).whiten(Eigen::VectorXd::Ones(6));
     for (std::size_t i = 0; i < sigma.size(); ++i) {

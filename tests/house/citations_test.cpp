@@ -107,7 +107,7 @@ const std::string references_path = "model/REFERENCES.md";
 
 std::vector<SourceFile> citing_files() {
     return source_files(
-        {"core", "model", "measurements", "fit", "report", "validation", "study", "bench", "app", "tests"},
+        {"core", "model", "measurements", "fit", "report", "validation", "study", "bench", "explore", "app", "tests"},
         {".cpp", ".hpp", ".csv", ".md"});
 }
 

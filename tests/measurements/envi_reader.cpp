@@ -97,6 +97,18 @@ TEST_F(EnviReader, ChecksTheValuesOfASpectrumToFit) {
     }
 }
 
+TEST_F(EnviReader, KeepsTheNamesOfBandsAndThePlaceOfThePicture) {
+    const test::MadeCube made{.more =
+                                  "band names = {\n red,\n green, blue}\nmap info = {UTM, 1, 1,\r\n 5, 6, 2, 2, 33, "
+                                  "North}\nX start = 4\ncoordinate system string = {PROJCS[\"a\"]}\n"};
+    const EnviHeader header = parse_envi_header(test::header_text(made), "a.hdr");
+    EXPECT_EQ(header.band_names, (std::vector<std::string>{"red", "green", "blue"}));
+    EXPECT_EQ(header.place, (std::vector<std::string>{"map info = {UTM, 1, 1,   5, 6, 2, 2, 33, North}",
+                                                      "coordinate system string = {PROJCS[\"a\"]}", "x start = 4"}));
+    const test::MadeCube wrong{.more = "band names = {red, green}\n"};
+    EXPECT_TRUE(parse_envi_header(test::header_text(wrong), "a.hdr").band_names.empty());
+}
+
 TEST_F(EnviReader, LeavesTextWithoutPixelsToChoose) {
     test::write_text(in_folder("a.csv"), "400,0.5\n500,0.6\n");
     const ReadOptions region{.region = {.mask = "mask.png"}};

@@ -76,7 +76,7 @@ double luminance(std::string_view hex) {
 }
 
 double contrast(std::string_view first, std::string_view second) {
-    const auto [dark, light] = std::minmax(luminance(first), luminance(second));
+    const auto [dark, light] = std::minmax({luminance(first), luminance(second)});
     return (light + 0.05) / (dark + 0.05);
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "tests/study/example_rows.hpp"
 
@@ -123,6 +124,15 @@ TEST(Answers, AnIndexIsAQuantityToo) {
     EXPECT_FALSE(estimate_of(row, "melanin_index")->interval_95);
     EXPECT_EQ(estimate_of(row, "oxygen_saturation")->interval_95->upper, row.studied.parameters[0].interval_95.upper);
     EXPECT_FALSE(estimate_of(row, "erythema_index"));
+}
+
+TEST(Answers, APosteriorIsEstimatedByItsMeanAndStandardDeviation) {
+    LedgerRow row = saturated("a", "", 0.9);
+    for (int k = 0; k <= 100; ++k) row.studied.parameters[0].quantiles.push_back(k / 100.0);  // uniform
+    const QuantityEstimate estimate = estimate_of(row, "oxygen_saturation").value();
+    constexpr double rounding = 101 * std::numeric_limits<double>::epsilon();
+    EXPECT_NEAR(estimate.value, 0.5, rounding);
+    EXPECT_NEAR(estimate.sigma.value(), 1.0 / std::sqrt(12.0), rounding);
 }
 
 }  // namespace

@@ -74,6 +74,16 @@ TEST_F(MapPreview, DrawsMapsWithoutAnyNumber) {
     EXPECT_EQ(draw_map(in_folder("map.dat"), in_folder("")).size(), 3U);
 }
 
+TEST_F(MapPreview, DrawsMapsOfOnePixel) {
+    EnviWriter writer(
+        in_folder("one.dat"),
+        {.samples = 1, .lines = 1, .band_names = {"status", "reason", "rmse", "chi2"}, .description = "made up"});
+    const std::vector<float> numbers = {1, 0, 0.01F, 30};
+    writer.append({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(float)});
+    writer.finish();
+    EXPECT_EQ(draw_map(in_folder("one.dat"), in_folder("")).size(), 2U);
+}
+
 TEST_F(MapPreview, RefusesWhatIsNoMap) {
     const auto refusal = [&] {
         try {

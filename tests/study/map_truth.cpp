@@ -20,8 +20,8 @@ double normal_share(double z) {
     return 0.5 * std::erfc(-z / std::numbers::sqrt2);
 }
 
-/// For each parameter, that its errors in sigmas are standard normal: the p-values of their squares' sum and of their
-/// distribution.
+/// For each parameter, that its errors in sigmas are standard normal in the pixels that are fitted: the p-values of
+/// their squares' sum and of their distribution.
 struct PValues {
     double of_squares;
     double of_distribution;
@@ -33,7 +33,7 @@ std::vector<PValues> p_values(const std::vector<PixelFit>& fits, const std::vect
         double squares = 0.0;
         std::vector<double> shares;
         for (std::size_t pixel = 0; pixel < fits.size(); ++pixel) {
-            if (std::isnan(fits[pixel].sigmas[i])) continue;
+            if (fits[pixel].status != FitStatus::fitted) continue;
             const double z = (fits[pixel].values[i] - truth[pixel][i]) / fits[pixel].sigmas[i];
             squares += z * z;
             shares.push_back(normal_share(z));
@@ -57,7 +57,7 @@ TEST_F(MapTruth, ErrorsInSigmasAreStandardNormal) {
         fits.push_back(fitter.fit(std::span(fractions).subspan(pixel * 31, 31)));
         fitted += fits.back().status == FitStatus::fitted ? 1 : 0;
     }
-    // One in a thousand is a misfit by chance.
+    // One in a thousand is a misfit by chance, and a few end in a higher minimum, which shows as a misfit too.
     EXPECT_GE(fitted, made.truth.size() * 99 / 100);
     for (const PValues& each : p_values(fits, made.truth)) {
         EXPECT_GT(each.of_squares, passing_p_value);

@@ -44,7 +44,7 @@ TEST(PixelFitter, EqualsTheFitInBulkToTheBit) {
     const auto bands = static_cast<Eigen::Index>(pixels.cube.wavelength_nm.size());
     const Eigen::Map<const Eigen::MatrixXd> spectra(pixels.cube.fractions.data(), bands,
                                                     static_cast<Eigen::Index>(pixels.count()));
-    const std::vector<BulkFit> fits = fit_in_bulk(problem, std::get<Emulator>(models.front()), spectra);
+    const std::vector<BulkFit> fits = fit_in_bulk(problem, std::get<Emulator>(models.front()), spectra, pixel_options);
     for (std::size_t i = 0; i < fits.size(); ++i) {
         const PixelFit fit = fitter.fit(pixels.values(i));
         EXPECT_EQ(fit.status, FitStatus::fitted) << name_of(fit.reason);

@@ -54,37 +54,34 @@ TEST_F(StudyRefusals, OfWhatIsNoStudy) {
 
 TEST_F(StudyRefusals, OfInputs) {
     const std::string list = " cannot be used (a list of files is needed)" + example;
-    expect(
-        {{"[]", "study.json.inputs: []" + list},
-         {"\"a.csv\"", "study.json.inputs: \"a.csv\"" + list},
-         {"[7]", "study.json.inputs[0]: 7 is no object (keys and values are needed here)" + example},
-         {"[{}]",
-          "study.json.inputs[0]: {} cannot be used (it names no \"files\", \"manifest\" or \"cube\")" + example},
-         {"[\"no*.csv\"]",
-          "study.json.inputs[0].files: no file matches no*.csv (the study would lack its spectra); correct the "
-          "pattern, or leave it out"},
-         {"[\"a.csv\", \"?.csv\"]",
-          "study.json.inputs: name a.csv twice (its spectra would count twice); leave it out of one of them"},
-         {R"(["a.csv", {"manifest": "m.csv"}])",
-          "study.json.inputs: name a.csv twice (its spectra would count twice); leave it out of one of them"},
-         {R"([{"manifest": "none.csv"}])",
-          "none.csv: cannot be read (No such file or directory); check the name and the permission "
-          "to read it"},
-         {R"([{"files": []}])", "study.json.inputs[0].files: [] cannot be used (it names no file)" + example},
-         {R"([{"files": "a.csv", "units": "percent"}])",
-          "study.json.inputs[0]: unknown name \"units\" (it would have no effect); did you mean \"unit\"?"},
-         {R"([{"files": "a.csv", "manifest": "m.csv"}])",
-          "study.json.inputs[0]: {\"files\":\"a.csv\",\"manifest\":\"m.csv\"} cannot be used (it is two kinds of "
-          "input); "
-          "make an input of each"},
-         {R"([{"files": "a.csv", "subject": "s"}])",
-          "study.json.inputs[0]: unknown name \"subject\" (it would have no effect); give one of files, unit, reader, "
-          "metadata, names"},
-         {R"([{"files": "a.csv", "metadata": {"site": ["arm"]}}])",
-          "study.json.inputs[0].metadata.site: [\"arm\"] cannot be used (a word or a number is needed)" + example},
-         {R"([{"files": "a.csv", "metadata": "arm"}])",
-          "study.json.inputs[0].metadata: \"arm\" is no object (keys and values are needed here)" + example}},
-        "{{\"inputs\": {}, \"output\": \"out\"}}");
+    expect({{"[]", "study.json.inputs: []" + list},
+            {"\"a.csv\"", "study.json.inputs: \"a.csv\"" + list},
+            {"[7]", "study.json.inputs[0]: 7 is no object (keys and values are needed here)" + example},
+            {"[{}]",
+             "study.json.inputs[0]: {} cannot be used (it names no \"files\", \"manifest\" or \"cube\")" + example},
+            {"[\"no*.csv\"]",
+             "study.json.inputs[0].files: no file matches no*.csv (the study would lack its spectra); correct the "
+             "pattern, or leave it out"},
+            {"[\"a.csv\", \"?.csv\"]",
+             "study.json.inputs: name a.csv twice (its spectra would count twice); leave it out of one of them"},
+            {R"(["a.csv", {"manifest": "m.csv"}])",
+             "study.json.inputs: name a.csv twice (its spectra would count twice); leave it out of one of them"},
+            {R"([{"manifest": "none.csv"}])",
+             "none.csv: cannot be read (No such file or directory); check the name and the permission "
+             "to read it"},
+            {R"([{"files": []}])", "study.json.inputs[0].files: [] cannot be used (it names no file)" + example},
+            {R"([{"files": "a.csv", "units": "percent"}])",
+             "study.json.inputs[0]: unknown name \"units\" (it would have no effect); did you mean \"unit\"?"},
+            {R"([{"files": "a.csv", "manifest": "m.csv"}])",
+             "study.json.inputs[0]: {\"files\":\"a.csv\",\"manifest\":\"m.csv\"} cannot be used (it is two kinds of "
+             "input); make an input of each"},
+            {R"([{"files": "a.csv", "subject": "s"}])",
+             "study.json.inputs[0]: unknown name \"subject\" (it would have no effect)" + example},
+            {R"([{"files": "a.csv", "metadata": {"site": ["arm"]}}])",
+             "study.json.inputs[0].metadata.site: [\"arm\"] cannot be used (a word or a number is needed)" + example},
+            {R"([{"files": "a.csv", "metadata": "arm"}])",
+             "study.json.inputs[0].metadata: \"arm\" is no object (keys and values are needed here)" + example}},
+           "{{\"inputs\": {}, \"output\": \"out\"}}");
 }
 
 TEST_F(StudyRefusals, OfPatternsOfNames) {

@@ -1,0 +1,165 @@
+#include <fmt/format.h>
+#include <sched.h>
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <memory>
+
+#include "app/commands.hpp"
+#include "app/progress_line.hpp"
+#include "app/shared_options.hpp"
+#include "app/study_options.hpp"
+#include "core/input_error.hpp"
+#include "core/text.hpp"
+#include "study/study_processes.hpp"
+
+namespace skinfit {
+namespace {
+
+struct StudyRunCommand {
+    StudyOptions shared;
+    std::string part;
+    std::vector<std::string> parts;
+    int jobs = 0;
+    bool no_cache = false;
+    bool quiet = false;
+    bool verbose = false;
+};
+
+/// The share named in "2/10".
+StudyPart part_of(const StudyRunCommand& command) {
+    if (command.part.empty()) return {};
+    const std::vector<std::string_view> halves = split(command.part, '/');
+    const auto number = parse_count(halves.front());
+    const auto parts = parse_count(halves.back());
+    if (halves.size() == 2 && number && parts && *number >= 1 && *number <= *parts) {
+        return {.number = *number, .parts = *parts};
+    }
+    throw InputError({.where = fmt::format("--part {}", command.part),
+                      .problem = "is no share",
+                      .why = "it must be the number of a part, from 1, and how many there are",
+                      .remedy = "write it as in --part 2/10"});
+}
+
+/// The ledger of a part must not be that of the whole: the parts would drop each other's spectra.
+void check_part(const StudyRunCommand& command) {
+    if (command.part.empty() || !command.shared.ledger.empty()) return;
+    throw InputError(
+        {.where = fmt::format("--part {}", command.part),
+         .problem = "has no ledger of its own",
+         .why = "parts that run at the same time cannot write one ledger",
+         .remedy = "add --ledger FILE, another one for each part, and merge them with `skinfit study merge`"});
+}
+
+/// Of this process, which a launcher may have bound to some of the machine's.
+int usable_processors() {
+    cpu_set_t set;
+    if (::sched_getaffinity(0, sizeof set, &set) != 0) return 1;
+    return std::max(1, CPU_COUNT(&set));
+}
+
+std::atomic<bool> interrupted = false;
+
+/// The first Ctrl-C ends the run when what has begun is stored; the second one at once.
+void end_on_interrupt() {
+    std::signal(SIGINT, [](int) {
+        interrupted = true;
+        std::signal(SIGINT, SIG_DFL);
+    });
+}
+
+Progress shown(const StudyProgress& progress) {
+    constexpr std::uint64_t pixels_per_spectrum = 20;  // in time, about
+    std::string what;
+    if (progress.spectra_to_do > 0) what = fmt::format("{}/{} spectra", progress.spectra, progress.spectra_to_do);
+    if (progress.pixels_to_do > 0) {
+        what += fmt::format("{}{}/{} pixels", what.empty() ? "" : ", ", progress.pixels, progress.pixels_to_do);
+    }
+    return {.done = progress.spectra * pixels_per_spectrum + progress.pixels,
+            .total = progress.spectra_to_do * pixels_per_spectrum + progress.pixels_to_do,
+            .what = what,
+            .count = progress.spectra + progress.pixels,
+            .unit = progress.pixels_to_do == 0 ? "spectra" : (progress.spectra_to_do == 0 ? "pixels" : "fits")};
+}
+
+StudyRunOptions options_of(const StudyRunCommand& command, const Study& study, ProgressLine& line) {
+    SharedOptions cache;
+    cache.no_cache = command.no_cache;
+    StudyRunOptions options;
+    options.jobs = command.jobs > 0 ? command.jobs : usable_processors();
+    options.cache = cache_from(cache);
+    options.part = part_of(command);
+    options.ledger = ledger_of(command.shared, study);
+    options.progress = [&line](const StudyProgress& progress) { line.show(shown(progress)); };
+    options.tell = [&line](const std::string& text) { line.tell(text); };
+    options.stop = [] { return interrupted.load(); };
+    return options;
+}
+
+int finished(const StudyRunCommand& command, const Study& study, const StudyRun& run) {
+    const Ledger ledger(ledger_of(command.shared, study), Ledger::Access::read);
+    const StudyCounts counts = counts_of(ledger);
+    if (!command.quiet) {
+        if (run.left_out > 0)
+            fmt::print(stderr, "{} spectra left out: their names are not the study's\n", run.left_out);
+        if (run.stopped) fmt::print(stderr, "stopped; run it again to go on\n");
+        write_stdout(status_text(counts));
+        write_stdout(fmt::format("ledger: {}\n", ledger.path().string()));
+    }
+    return exit_code_of(counts);
+}
+
+int run_it(const StudyRunCommand& command) {
+    check_part(command);
+    const Study study = read_study(command.shared.study);
+    ProgressLine line({.quiet = command.quiet, .verbose = command.verbose});
+    const StudyRunOptions options = options_of(command, study, line);
+    end_on_interrupt();
+    const std::optional<StudyRun> run = run_study_together(study, options);
+    if (!run) return trustworthy_result;  // the process that leads says the rest
+    line.end();
+    const int exit_code = finished(command, study, *run);
+    // Launchers take any other code of one process for a failure of all.
+    return launched_processes() == 1 ? exit_code : trustworthy_result;
+}
+
+int merge_it(const StudyRunCommand& command) {
+    const Study study = read_study(command.shared.study);
+    ProgressLine line({.quiet = command.quiet, .verbose = command.verbose});
+    const StudyRunOptions options = options_of(command, study, line);
+    return finished(command, study, merge_study(study, {command.parts.begin(), command.parts.end()}, options));
+}
+
+void add_run_options(CLI::App& sub, const std::shared_ptr<StudyRunCommand>& command) {
+    sub.add_option("--jobs", command->jobs, "threads; as many as the machine has by default")
+        ->check(CLI::Range(1, 1024));
+    sub.add_flag("--no-cache", command->no_cache, "do not keep or use recorded walks");
+    auto* const quiet = sub.add_flag("--quiet", command->quiet, "print nothing but errors");
+    sub.add_flag("--verbose", command->verbose, "say more often how far it is")->excludes(quiet);
+}
+
+}  // namespace
+
+void add_study_run_command(CLI::App& study, int& exit_code) {
+    const auto run = std::make_shared<StudyRunCommand>();
+    CLI::App* const run_app =
+        add_study_subcommand(study, run->shared, "run", "fit whatever has not been fitted; go on where it ended");
+    run_app->add_option("--part", run->part, "only this share of the study, as in 2/10")->type_name("K/N");
+    add_run_options(*run_app, run);
+    run_app->footer(
+        "Exit code 0: every spectrum is fitted; 1: some are suspect, rejected, failed or pending; 2: bad input; 3: "
+        "internal error. Under mpirun 0 stands for 1 too.");
+    run_app->callback([run, &exit_code] { exit_code = run_it(*run); });
+}
+
+void add_study_merge_command(CLI::App& study, int& exit_code) {
+    const auto merge = std::make_shared<StudyRunCommand>();
+    CLI::App* const merge_app =
+        add_study_subcommand(study, merge->shared, "merge", "bring the ledgers of parts together");
+    merge_app->add_option("LEDGER", merge->parts, "ledgers of parts, from `skinfit study run --part`")->required();
+    add_run_options(*merge_app, merge);
+    merge_app->callback([merge, &exit_code] { exit_code = merge_it(*merge); });
+}
+
+}  // namespace skinfit

@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/commands.hpp"
+#include "app/shared_options.hpp"
+#include "core/file.hpp"
+#include "fit/configuration_json.hpp"
+#include "fit/json_reading.hpp"
+#include "study/cohort_folder.hpp"
+
+namespace skinfit {
+namespace {
+
+struct StudySimulateCommand {
+    std::string cohort;
+    std::filesystem::path output;
+    std::string engine;
+    std::string seed;
+    SharedOptions shared;
+};
+
+Cohort cohort_of(const StudySimulateCommand& command) {
+    const std::string example = "configs/cohort_power.json of the source tree is an example";
+    Json json = parsed_json(read_file(command.cohort), command.cohort, example);
+    require_object(json, command.cohort, example);
+    if (!command.seed.empty()) {
+        json["seed"] = configured_by_word(default_configuration(), "seed", command.seed, "--seed").seed;
+    }
+    Cohort cohort = read_cohort(json, command.cohort);
+    if (command.engine.empty()) return cohort;
+    json["model"]["engine"] = command.engine;
+    return read_cohort(json, command.cohort);
+}
+
+std::string summary(const Cohort& cohort, const SimulatedCohort& simulated, const std::filesystem::path& folder) {
+    const auto subjects = simulated.subjects.size();
+    std::string text = fmt::format("{}: {} subjects, {} spectra at {} wavelengths\n", cohort.name, subjects,
+                                   subjects * cohort.repeats, simulated.wavelength_nm.size());
+    for (const CohortGroup& group : cohort.groups) text += fmt::format("  {:<24}{:>8}\n", group.name, group.subjects);
+    for (const CohortLabel& label : cohort.labels) {
+        const auto yes = std::ranges::count_if(
+            simulated.subjects, [&](const SimulatedSubject& subject) { return label.holds(subject.values); });
+        text += fmt::format("  {}: {} of {}\n", label.name, yes, subjects);
+    }
+    return text + fmt::format("written to {}: spectra.csv, manifest.csv, cohort.json, study.json\n", folder.string());
+}
+
+int run(const StudySimulateCommand& command) {
+    const Cohort cohort = cohort_of(command);
+    make_output_folder(command.output);
+    const bool replaces = holds_earlier_cohort(command.output, command.cohort);
+    const auto limit = thread_limit(command.shared);
+    const SimulatedCohort simulated = simulate(cohort, cache_from(command.shared));
+    write_cohort(cohort, simulated, command.output);
+    if (replaces) fmt::print(stderr, "note: replaced the earlier cohort in {}\n", command.output.string());
+    write_stdout(summary(cohort, simulated, command.output));
+    return trustworthy_result;
+}
+
+}  // namespace
+
+void add_study_simulate_command(CLI::App& study, int& exit_code) {
+    const auto command = std::make_shared<StudySimulateCommand>();
+    CLI::App* const simulate =
+        study.add_subcommand("simulate", "draw a cohort from stated populations and measure it, to plan a study");
+    simulate->add_option("COHORT", command->cohort, "JSON file: populations, groups, noise; see docs/studies.md")
+        ->required();
+    simulate->add_option("--output", command->output, "folder for spectra.csv, manifest.csv, cohort.json, study.json")
+        ->type_name("FOLDER")
+        ->required();
+    simulate
+        ->add_option("--engine", command->engine,
+                     "of the spectra: solver (no noise of its own), emulator or paths, instead of the cohort's")
+        ->check(CLI::IsMember({"solver", "emulator", "paths"}));
+    simulate->add_option("--seed", command->seed, "of everything drawn, instead of the cohort's");
+    simulate->add_option("--threads", command->shared.threads, "at most so many; the result does not depend on it")
+        ->check(CLI::Range(1, 1024));
+    simulate->add_flag("--no-cache", command->shared.no_cache, "do not keep or use recorded walks and emulators");
+    simulate->footer("Exit code 0: done; 2: bad input; 3: internal error.");
+    simulate->callback([command, &exit_code] { exit_code = run(*command); });
+}
+
+}  // namespace skinfit

@@ -1,0 +1,106 @@
+#include "explore/api.hpp"
+
+#include <fmt/format.h>
+
+#include "core/input_error.hpp"
+#include "explore/configuration_request.hpp"
+#include "explore/uploaded_spectra.hpp"
+#include "explore/vocabulary.hpp"
+#include "fit/configuration_json.hpp"
+#include "fit/report.hpp"
+#include "fit/sensitivity.hpp"
+
+namespace skinfit {
+namespace {
+
+Json request_json(const ApiRequest& request) {
+    Json json = parsed_json(request.body, "request", "docs/explore.md describes requests");
+    if (json.is_object()) return json;
+    refuse("request", json, "an object is needed", "see docs/explore.md");
+}
+
+Configuration configuration_of(const Json& request) {
+    return requested_configuration(explore_configuration(), request.value("configuration", Json::object()));
+}
+
+std::vector<Reading> readings(const Simulation& simulation) {
+    const bool reflectance = simulation.configuration.quantity == Quantity::reflectance;
+    std::vector<Reading> readings;
+    for (std::size_t i = 0; i < simulation.wavelength_nm.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        readings.push_back({.wavelength_nm = simulation.wavelength_nm[i],
+                            .reflectance = reflectance ? simulation.reading[row] : 0.0,
+                            .reflectance_se = 0.0,
+                            .transmittance = reflectance ? 0.0 : simulation.reading[row],
+                            .transmittance_se = 0.0,
+                            .surface_reflectance = simulation.surface[row]});
+    }
+    return readings;
+}
+
+}  // namespace
+
+ApiAnswer json_answer(const Json& json, int status) {
+    return {.status = status, .body = json.dump(-1, ' ', false, Json::error_handler_t::replace)};
+}
+
+ApiAnswer error_answer(const std::string& message, int status) {
+    return json_answer({{"error", message}}, status);
+}
+
+Api::Api(EnsembleCache cache, std::optional<SpectrumFile> file)
+    : file_(file ? uploaded_json(std::move(*file)) : Json()), jobs_(std::move(cache)) {}
+
+Json Api::vocabulary() const {
+    Json json = vocabulary_json();
+    json["file"] = file_;
+    return json;
+}
+
+Json Api::exported(const Configuration& configuration) {
+    const Simulation simulation = simulator_.simulate(configuration);
+    return {{"csv", simulation_csv(readings(simulation), simulation.configuration)},
+            {"json", simulation_json(readings(simulation), simulation.configuration)},
+            {"configuration", to_json(configuration)}};
+}
+
+ApiAnswer Api::started(const Json& request) {
+    const std::optional<std::string> name = jobs_.start(fit_order(request));
+    if (name) return json_answer({{"name", *name}});
+    return error_answer("two fits are running; wait for one of them, or cancel it", 429);
+}
+
+ApiAnswer Api::on_fit(const ApiRequest& request) {
+    if (request.method == "DELETE" && jobs_.cancel(request.name)) return json_answer({{"cancelled", request.name}});
+    const std::optional<Json> state = request.method == "GET" ? jobs_.state(request.name) : std::nullopt;
+    return state ? json_answer(*state) : error_answer("there is no fit of that name; start it again", 404);
+}
+
+ApiAnswer Api::dispatched(const ApiRequest& request) {
+    const std::string route = request.method + " " + request.path;
+    if (route == "GET /api/vocabulary") return json_answer(vocabulary());
+    if (route == "POST /api/spectra") return json_answer(uploaded_json(request.body, request.name));
+    if (route == "GET /api/fit" || route == "DELETE /api/fit") return on_fit(request);
+    if (route == "POST /api/fit") return started(request_json(request));
+    if (route == "POST /api/simulate") {
+        return json_answer(simulation_json(simulator_.simulate(configuration_of(request_json(request)))));
+    }
+    if (route == "POST /api/sensitivity") {
+        return json_answer(
+            sensitivity_json(sensitivity(configuration_of(request_json(request))), Derivative::relative));
+    }
+    if (route == "POST /api/export") return json_answer(exported(configuration_of(request_json(request))));
+    return error_answer("there is nothing at this address", 404);
+}
+
+ApiAnswer Api::answer(const ApiRequest& request) {
+    try {
+        return dispatched(request);
+    } catch (const InputError& error) {
+        return error_answer(error.what(), 400);
+    } catch (const std::exception& error) {
+        return error_answer(std::string("internal error: ") + error.what(), 500);
+    }
+}
+
+}  // namespace skinfit

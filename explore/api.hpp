@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "explore/fit_jobs.hpp"
+#include "explore/simulation.hpp"
+#include "measurements/spectrum_file.hpp"
+
+namespace skinfit {
+
+/// A request to the application, its access already granted.
+struct ApiRequest {
+    std::string method;
+    std::string path;
+    std::string name;  ///< of a fit, or of an uploaded file: of the query
+    std::string body;
+};
+
+/// The answer: JSON, `{"error": "..."}` where the status is not 200.
+struct ApiAnswer {
+    int status = 200;
+    std::string body;
+};
+
+/// Everything the page can ask for, whatever carries the requests. Calls may come from any thread.
+///
+///     GET    /api/vocabulary           parameters, settings, defaults; and "file", where one was given at the start
+///     POST   /api/simulate             {"configuration": {...}} -> spectrum, shares, colour
+///     POST   /api/sensitivity          the same -> relative derivatives, as `sensitivity_json`
+///     POST   /api/spectra?name=FILE    the bytes of a file -> its spectra and findings
+///     POST   /api/export               {"configuration": {...}} -> the simulation as files: csv, json, configuration
+///     POST   /api/fit                  {"configuration": {...}, "source": ..., "measured": [...]} -> {"name": ...}
+///     GET    /api/fit?name=NAME        how far it is, and in the end its documents
+///     DELETE /api/fit?name=NAME        asks it to stop
+class Api {
+public:
+    /// `file`: spectra to begin with. Throws InputError as `uploaded_json`.
+    Api(EnsembleCache cache, std::optional<SpectrumFile> file);
+
+    [[nodiscard]] ApiAnswer answer(const ApiRequest& request);
+
+private:
+    [[nodiscard]] Json vocabulary() const;
+    [[nodiscard]] Json exported(const Configuration& configuration);
+    [[nodiscard]] ApiAnswer started(const Json& request);
+    [[nodiscard]] ApiAnswer on_fit(const ApiRequest& request);
+    [[nodiscard]] ApiAnswer dispatched(const ApiRequest& request);
+
+    Json file_;
+    Simulator simulator_;
+    FitJobs jobs_;
+};
+
+/// `json` as the body of an answer.
+[[nodiscard]] ApiAnswer json_answer(const Json& json, int status = 200);
+
+/// The answer to what cannot be done.
+[[nodiscard]] ApiAnswer error_answer(const std::string& message, int status);
+
+}  // namespace skinfit

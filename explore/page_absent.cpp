@@ -1,0 +1,9 @@
+#include "explore/page.hpp"
+
+namespace skinfit {
+
+std::span<const EmbeddedFile> page_files() {
+    return {};
+}
+
+}  // namespace skinfit

@@ -1,0 +1,97 @@
+#include "explore/vocabulary.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "core/version.hpp"
+#include "explore/configuration_request.hpp"
+#include "explore/simulation.hpp"
+#include "fit/configuration_json.hpp"
+#include "fit/named_instrument.hpp"
+#include "fit/physiological_priors.hpp"
+
+namespace skinfit {
+namespace {
+
+/// Under which heading a parameter stands.
+std::string_view group_of(Parameter parameter) {
+    switch (parameter) {
+        case Parameter::melanosome_fraction:
+        case Parameter::eumelanin_g_per_l:
+        case Parameter::pheomelanin_g_per_l:
+        case Parameter::stratum_corneum_carotene_g_per_l:
+        case Parameter::epidermis_carotene_g_per_l:
+            return "epidermis";
+        case Parameter::papillary_blood_fraction:
+        case Parameter::reticular_blood_fraction:
+        case Parameter::oxygen_saturation:
+        case Parameter::hemoglobin_g_per_l:
+        case Parameter::bilirubin_g_per_l:
+        case Parameter::dermis_carotene_g_per_l:
+            return "blood";
+        case Parameter::fibre_refractive_index:
+        case Parameter::fibril_radius_nm:
+            return "dermis";
+        case Parameter::scale:
+        case Parameter::offset:
+        case Parameter::specular_fraction:
+        case Parameter::wavelength_shift_nm:
+            return "instrument";
+        default:
+            return "geometry";
+    }
+}
+
+/// The range a prior of `physiological_priors` was made from: the median +/- one standard deviation of the logarithm,
+/// or 95 % of a normal one. The beta prior only discourages the ends.
+std::optional<Bounds> usual_range(const Prior& prior) {
+    if (const auto* normal = std::get_if<NormalPrior>(&prior)) {
+        return Bounds{normal->mean - 1.96 * normal->sigma, normal->mean + 1.96 * normal->sigma};
+    }
+    if (const auto* log_normal = std::get_if<LogNormalPrior>(&prior)) {
+        const double factor = std::exp(log_normal->sigma_log);
+        return Bounds{log_normal->median / factor, log_normal->median * factor};
+    }
+    return std::nullopt;
+}
+
+Json usual_json(Parameter parameter) {
+    for (const PhysiologicalPrior& row : physiological_priors()) {
+        if (row.parameter != parameter) continue;
+        const std::optional<Bounds> range = usual_range(row.prior);
+        if (range) return {{"lower", range->lower}, {"upper", range->upper}, {"source", row.source}};
+    }
+    return {};
+}
+
+Json parameter_json(const ParameterInfo& info, const Configuration& defaults) {
+    return {{"name", info.name},
+            {"unit", info.unit},
+            {"group", group_of(info.parameter)},
+            {"meaning", info.meaning},
+            {"source", info.source},
+            {"lowest", info.lowest},
+            {"highest", info.highest},
+            {"lower", info.lower},
+            {"upper", info.upper},
+            {"steers", info.steers},
+            {"default", value_of(defaults.values, info.parameter)},
+            {"usual", usual_json(info.parameter)}};
+}
+
+}  // namespace
+
+Json vocabulary_json() {
+    const Configuration defaults = explore_configuration();
+    Json parameters = Json::array();
+    for (const ParameterInfo& info : parameter_table()) parameters.push_back(parameter_json(info, defaults));
+    return {{"version", version},
+            {"parameters", parameters},
+            {"groups", {"epidermis", "blood", "dermis", "geometry", "instrument"}},
+            {"layers", layer_names},
+            {"instruments", instrument_names()},
+            {"configuration", to_json(defaults)},
+            {"schema", configuration_schema()}};
+}
+
+}  // namespace skinfit

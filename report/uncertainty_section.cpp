@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/fit_sections.hpp"
+#include "report/html_figure.hpp"
+#include "report/html_table.hpp"
+#include "report/posterior_picture.hpp"
+
+namespace skinfit {
+namespace {
+
+/// White at 0, blue at 1, red at -1; dark text is readable on all of it.
+std::string correlation_colour(double correlation) {
+    const double size = std::min(std::abs(correlation), 1.0);
+    const auto shade = [size](double full) { return static_cast<int>(std::lround(255.0 + size * (full - 255.0))); };
+    return correlation > 0.0 ? fmt::format("#{:02x}{:02x}{:02x}", shade(120), shade(170), shade(225))
+                             : fmt::format("#{:02x}{:02x}{:02x}", shade(240), shade(150), shade(125));
+}
+
+Html correlation_map(const FitResult& result) {
+    HtmlTable table{.caption = "Correlations of the free parameters; columns are numbered as rows",
+                    .columns = {{.name = "parameter", .cells = Cells::text}},
+                    .rows = {}};
+    for (std::size_t a = 0; a < result.free.size(); ++a) {
+        table.columns.push_back({.name = fmt::format("{}", a + 1)});
+        std::vector<Html> row = {escaped(fmt::format("{} {}", a + 1, result.free[a].name))};
+        for (std::size_t b = 0; b < result.free.size(); ++b) {
+            const double value = result.correlation(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
+            row.push_back(element("span", escaped(fmt::format("{:+.2f}", value)),
+                                  {{"class", "shade"}, {"style", "background-color:" + correlation_colour(value)}}));
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return html_table(table);
+}
+
+Html kind(const FitResult& result) {
+    std::string text = "Intervals come from the covariance, the model linearised at the minimum.";
+    if (result.profile) {
+        text = fmt::format("Intervals come from the profile likelihood, {} evaluations; they are right at bounds.",
+                           result.profile->evaluations);
+    }
+    if (result.posterior) text = "Intervals come from the posterior, with equal tails.";
+    if (result.inflation) {
+        text += fmt::format(
+            " Sigmas are those of the stated noise; were the whole misfit noise, they would be {:.2g} times as large "
+            "(sqrt(chi2 / degrees of freedom)).",
+            *result.inflation);
+    }
+    return paragraph(text);
+}
+
+Html directions(const Identifiability& found) {
+    HtmlTable table{.caption = "What the spectrum can tell: directions among the parameters, best known first",
+                    .columns = {{.name = "direction", .cells = Cells::text},
+                                {.name = "sigmas of noise for a prior standard deviation"},
+                                {.name = "remark", .cells = Cells::text}},
+                    .rows = {}};
+    for (const Direction& direction : found.directions) {
+        table.rows.push_back({escaped(in_words(direction, found.names)),
+                              escaped(fmt::format("{:.3g}", direction.singular_value)),
+                              escaped(direction.is_weak() ? "WEAK" : "")});
+    }
+    return html_table(table);
+}
+
+Html shrinkage(const Identifiability& found) {
+    HtmlTable table{.caption = "Prior variance taken away by the spectrum",
+                    .columns = {{.name = "parameter", .cells = Cells::text}, {.name = "share", .unit = "%"}},
+                    .rows = {}};
+    for (std::size_t i = 0; i < found.names.size(); ++i) {
+        table.rows.push_back({escaped(found.names[i]), escaped(fmt::format("{:.1f}", 100.0 * found.shrinkage[i]))});
+    }
+    return html_table(table);
+}
+
+Html posterior(const FitResult& result) {
+    const Posterior& sampled = *result.posterior;
+    HtmlTable table{
+        .caption = fmt::format("Posterior: {} chains of {} draws, {} divergences, {} evaluations", sampled.chains,
+                               sampled.draws.cols() / sampled.chains, sampled.divergences, sampled.evaluations),
+        .columns = {{.name = "parameter", .cells = Cells::text},
+                    {.name = "median"},
+                    {.name = "deviation"},
+                    {.name = "R-hat"},
+                    {.name = "effective draws: bulk"},
+                    {.name = "tails"}},
+        .rows = {}};
+    for (std::size_t i = 0; i < result.free.size(); ++i) {
+        const Marginal& row = sampled.marginals[i];
+        table.rows.push_back({escaped(result.free[i].name), escaped(fmt::format("{:.4g}", row.median)),
+                              escaped(fmt::format("{:.2g}", row.sigma)), escaped(fmt::format("{:.3f}", row.r_hat)),
+                              escaped(fmt::format("{:.0f}", row.bulk_effective_size)),
+                              escaped(fmt::format("{:.0f}", row.tail_effective_size))});
+    }
+    Html part = subheading("Posterior") + html_table(table);
+    const std::string picture = posterior_picture(result);
+    if (picture.empty()) return part;
+    return part +
+           html_figure({.picture = picture,
+                        .alternative = "Histograms of the posterior's draws, one for each free parameter",
+                        .caption = "Draws of each parameter; dashed: the ends of the 95 % interval, red: the best "
+                                   "fit."});
+}
+
+}  // namespace
+
+HtmlSection uncertainty_section(const FitResult& result) {
+    HtmlSection section{.title = "How sure", .body = kind(result) + correlation_map(result)};
+    if (result.posterior) section.body += posterior(result);
+    section.body += directions(result.identifiability) + shrinkage(result.identifiability);
+    return section;
+}
+
+}  // namespace skinfit

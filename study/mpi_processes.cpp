@@ -1,0 +1,21 @@
+#include "study/mpi_job.hpp"
+#include "study/study_processes.hpp"
+
+// Of a program that was built with MPI.
+namespace skinfit {
+
+std::optional<StudyRun> run_study_together(const Study& study, const StudyRunOptions& options) {
+    if (launched_processes() == 1) return run_study(study, options);
+    MpiJob job;
+    if (!job.leads()) {
+        ThreadCrew crew(options.jobs, study_worker(study, options.cache));
+        job.follow(crew);
+        return std::nullopt;
+    }
+    const RemoteCrews followers = job.followers();
+    StudyRunOptions together = options;
+    together.remote = &followers;
+    return run_study(study, together);
+}
+
+}  // namespace skinfit

@@ -1,0 +1,207 @@
+import {useState} from "preact/hooks";
+import {api} from "./api";
+import {download} from "./download";
+import type {OpenFile} from "./measured";
+import {Settings, type Change} from "./parameters";
+import {inWords, shown, withSigma} from "./scale";
+import {configurationOf, withFitted, type Model} from "./state";
+import type {FitState, FittedParameter, Measured, Report, Vocabulary} from "./types";
+
+/// A fit that runs or has run.
+export interface Fit {
+    number: number;
+    job: string;
+    source: string;
+    state: FitState;
+    report?: Report;
+}
+
+interface FitsProps {
+    vocabulary: Vocabulary;
+    defaults: Model;
+    model: Model;
+    change: Change;
+    files: OpenFile[];
+    fits: Fit[];
+    setFits: (update: (fits: Fit[]) => Fit[]) => void;
+    say: (message: string) => void;
+    onError: (error: unknown) => void;
+}
+
+const fitSettings = ["engine", "uncertainty", "solver", "starts", "noise", "wavelength_min_nm", "wavelength_max_nm"];
+
+/// Of the files that hold a fit's documents; another document has its own name as ending.
+const endings: {[form: string]: string} = {report: "json", text: "txt"};
+
+const pause = (milliseconds: number) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+
+interface Target {
+    source: string;
+    spectra: Measured[];
+}
+
+function targetOf(files: OpenFile[]): Target {
+    const chosen = files.map((file) => ({source: file.source, spectra: file.measured.filter((_, i) => file.visible.has(i))}))
+        .filter(({spectra}) => spectra.length > 0);
+    return {source: chosen.map(({source}) => source).join(", "), spectra: chosen.flatMap(({spectra}) => spectra)};
+}
+
+export function Fits(props: FitsProps) {
+    const {model, files, fits, setFits, say, onError} = props;
+    const [count, setCount] = useState(0);
+    const target = targetOf(files);
+
+    const follow = async (number: number, job: string) => {
+        for (;;) {
+            const state = await api.fit(job);
+            setFits((all) => all.map((fit) =>
+                fit.number === number ? {...fit, state, ...(state.documents ? {report: state.documents.report} : {})} : fit));
+            if (state.state === "done") say(`fit ${number}: ${state.documents!.report.verdict}`);
+            if (state.state === "cancelled") say(`fit ${number} is cancelled`);
+            if (state.state === "failed") onError(new Error(state.error));
+            if (state.state !== "running") return;
+            await pause(150);
+        }
+    };
+    const start = async () => {
+        const number = count + 1;
+        try {
+            const {name: job} = await api.startFit(
+                {configuration: configurationOf(model), source: target.source, measured: target.spectra});
+            setCount(number);
+            const state: FitState = {state: "running", progress: {stage: "starting", done: 0, total: 1}, seconds: 0};
+            setFits((all) => [...all, {number, job, source: target.spectra.map(({name}) => name).join(" + "), state}]);
+            say(`fit ${number} has begun`);
+            await follow(number, job).catch((error: unknown) => {
+                setFits((all) => all.filter((fit) => fit.number !== number));
+                throw error;
+            });
+        } catch (error) {
+            onError(error);
+        }
+    };
+    const running = fits.filter(({state}) => state.state === "running");
+    const done = fits.filter(({report}) => report);
+    return (
+        <section class="fits" aria-labelledby="fits-title">
+            <h2 id="fits-title">Fit</h2>
+            <p class="hint">
+                {target.spectra.length === 0
+                    ? "Tick a measured spectrum; the parameters ticked “fit” are adjusted until the model explains it."
+                    : `Explains ${target.spectra.map(({name}) => name).join(" and ")} by ${model.free.length} parameters, ` +
+                      "starting from the sliders. Several spectra are explained together, as one specimen."}
+            </p>
+            <details>
+                <summary>How it is fitted</summary>
+                <Settings names={fitSettings} {...props} />
+                <Discrepancy {...props} />
+            </details>
+            <button type="button" class="primary" disabled={target.spectra.length === 0 || model.free.length === 0}
+                onClick={() => void start()}>Fit</button>
+            {running.map((fit) => <Running key={fit.number} fit={fit} onError={onError} />)}
+            {done.length > 0 && <Comparison {...props} fits={done} />}
+        </section>
+    );
+}
+
+function Discrepancy({model, change}: FitsProps) {
+    const isOn = model.settings["discrepancy"] !== null && model.settings["discrepancy"] !== undefined;
+    return (
+        <div class="setting">
+            <label for="setting-discrepancy" title="the model's departure from real skin, a Gaussian process over wavelength">
+                allow for the model's departure from real skin
+            </label>
+            <input id="setting-discrepancy" type="checkbox" checked={isOn}
+                onChange={() => change({...model, settings: {...model.settings, discrepancy: isOn ? null : {}}})} />
+        </div>
+    );
+}
+
+function Running({fit, onError}: {fit: Fit; onError: (error: unknown) => void}) {
+    const {stage, done, total} = fit.state.progress;
+    return (
+        <div class="running">
+            <label for={`progress-${fit.number}`}>
+                fit {fit.number}: {stage}{total > 1 ? `, ${done + 1} of ${total}` : ""}, {fit.state.seconds.toFixed(1)} s
+            </label>
+            <progress id={`progress-${fit.number}`} value={done} max={total} />
+            <button type="button" onClick={() => void api.cancelFit(fit.job).catch(onError)}>Cancel fit {fit.number}</button>
+        </div>
+    );
+}
+
+/// A fitted value as the reports have it.
+function valueOf({value, sigma, status, interval_95: [lower, upper]}: FittedParameter): string {
+    if (status === "fixed") return shown(value);
+    if (sigma !== null) return withSigma(value, sigma);
+    return `${shown(value)}, ${shown(lower, 3)} to ${shown(upper, 3)}`;
+}
+
+function Comparison({vocabulary, model, change, fits, setFits}: FitsProps) {
+    const rows = [...new Set(fits.flatMap(({report}) =>
+        Object.entries(report!.parameters).filter(([, {status}]) => status !== "fixed").map(([name]) => name)))];
+    const unitOf = (name: string) => vocabulary.parameters.find((each) => each.name === name)?.unit ?? "";
+    const cells = (render: (report: Report, fit: Fit) => preact.ComponentChildren) =>
+        fits.map((fit) => <td>{render(fit.report!, fit)}</td>);
+    return (
+        <div class="scrolled" tabIndex={0} role="region" aria-label="Fits side by side">
+            <table class="comparison">
+                <caption>Fitted values ± 1 sigma</caption>
+                <thead>
+                    <tr>
+                        <th scope="col">parameter</th>
+                        {fits.map(({number, source}) => <th scope="col">fit {number}<small>{source}</small></th>)}
+                    </tr>
+                </thead>
+                <tbody>
+                    <tr>
+                        <th scope="row">verdict</th>
+                        {cells(({verdict, reasons}) => (
+                            <details class={`verdict ${verdict}`}>
+                                <summary>{verdict}</summary>
+                                {reasons.length === 0 ? <p>nothing speaks against it</p> : <ul>{reasons.map((reason) => <li>{reason}</li>)}</ul>}
+                            </details>
+                        ))}
+                    </tr>
+                    {rows.map((name) => (
+                        <tr>
+                            <th scope="row">{inWords(name, unitOf(name))} <span class="unit">{unitOf(name)}</span></th>
+                            {cells(({parameters}) => {
+                                const found = parameters[name];
+                                if (!found) return "–";
+                                return <>{valueOf(found)}{["free", "fixed"].includes(found.status) ? "" : <em> {inWords(found.status)}</em>}</>;
+                            })}
+                        </tr>
+                    ))}
+                    <tr><th scope="row">rmse</th>{cells(({rmse}) => rmse.toFixed(5))}</tr>
+                    <tr>
+                        <th scope="row">chi2 / degrees of freedom</th>
+                        {cells(({chi2, degrees_of_freedom: freedom}) => `${chi2.toFixed(1)} / ${freedom.toFixed(1)}`)}
+                    </tr>
+                    <tr>
+                        <th scope="row">edition, engine</th>
+                        {cells(({configuration}) => `${configuration["edition"]}, ${configuration["engine"]}`)}
+                    </tr>
+                    <tr>
+                        <th scope="row"><span class="hidden">actions</span></th>
+                        {cells((report, {number, state}) => (
+                            <div class="actions">
+                                <button type="button" onClick={() => change(withFitted(model, report))}
+                                    aria-label={`sliders to fit ${number}`}>To sliders</button>
+                                {Object.entries(state.documents!).map(([form, document]) => (
+                                    <button type="button" aria-label={`report of fit ${number} as ${endings[form] ?? form}`}
+                                        onClick={() => download(`fit_${number}.${endings[form] ?? form}`,
+                                            typeof document === "string" ? document : JSON.stringify(document, null, 2))}>
+                                        {(endings[form] ?? form).toUpperCase()}
+                                    </button>
+                                ))}
+                                <button type="button" aria-label={`remove fit ${number}`}
+                                    onClick={() => setFits((all) => all.filter((fit) => fit.number !== number))}>Remove</button>
+                            </div>
+                        ))}
+                    </tr>
+                </tbody>
+            </table>
+        </div>
+    );
+}

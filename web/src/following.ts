@@ -1,0 +1,48 @@
+import {configurationOf, type Model} from "./state";
+import type {Json} from "./types";
+
+/// Keeps an answer of the server up with the sliders: one request at a time, always for the latest model, so that a
+/// fast slider skips models rather than piling them up.
+export class Following<Answer> {
+    private wanted: Model | undefined;
+    private isBusy = false;
+    private since: number | undefined;  // the first event that no answer takes into account yet
+    private answered: number | undefined;
+
+    constructor(
+        private readonly ask: (configuration: Json) => Promise<Answer>,
+        private readonly show: (answer: Answer) => void,
+        private readonly fail: (error: unknown) => void,
+    ) {}
+
+    /// The model to ask for, and when a slider changed it.
+    want(model: Model, since?: number): void {
+        this.wanted = model;
+        this.since ??= since;
+        if (!this.isBusy) void this.work();
+    }
+
+    /// The answer has been drawn: measures "slider-to-curve" from the event to here.
+    drawn(): void {
+        if (this.answered === undefined) return;
+        performance.measure("slider-to-curve", {start: this.answered, end: performance.now()});
+        this.answered = undefined;
+    }
+
+    private async work(): Promise<void> {
+        this.isBusy = true;
+        while (this.wanted) {
+            const model = this.wanted;
+            const since = this.since;
+            this.wanted = this.since = undefined;
+            try {
+                const answer = await this.ask(configurationOf(model));
+                this.answered = since;
+                this.show(answer);
+            } catch (error) {
+                this.fail(error);
+            }
+        }
+        this.isBusy = false;
+    }
+}

@@ -1,0 +1,152 @@
+import {useLayoutEffect, useRef} from "preact/hooks";
+import uPlot from "uplot";
+
+/// A curve, points, or an area that stands on the one before it.
+export interface Curve {
+    label: string;
+    x: number[];
+    y: number[];
+    colour: string;
+    look: "line" | "dashed" | "points" | "area";
+    share?: number[];  ///< of an area: its own height, for the numbers
+}
+
+interface PlotProps {
+    curves: Curve[];
+    yLabel: string;
+    description: string;  ///< for those who do not see it
+    fromZero?: boolean;
+    top?: number;
+    onDrawn?: () => void;
+}
+
+const css = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+
+/// What the numbers say at a place of the joined data.
+const numberAt = (curve: Curve | undefined, joinedValue: number | null | undefined, place: number) =>
+    (curve?.share?.[place] ?? joinedValue)?.toFixed(4) ?? "–";
+
+function seriesOf(curve: Curve, latest: () => Curve[]): uPlot.Series {
+    const isPoints = curve.look === "points";
+    return {
+        label: curve.label,
+        stroke: curve.colour,
+        width: isPoints ? 0 : curve.look === "area" ? 1 : 2,
+        ...(curve.look === "dashed" ? {dash: [6, 4]} : {}),
+        ...(curve.look === "area" ? {fill: curve.colour} : {}),
+        points: {show: isPoints, size: 6, ...(isPoints ? {fill: curve.colour} : {})},
+        value: (_, value, series, place) => (place === null ? "–" : numberAt(latest()[series - 1], value, place)),
+    };
+}
+
+function joined(curves: Curve[]): uPlot.AlignedData {
+    if (curves.length === 0) return [[]];
+    return uPlot.join(curves.map(({x, y}) => [x, y]));
+}
+
+function optionsOf(latest: () => PlotProps, width: number, height: number, onDraw: () => void): uPlot.Options {
+    const props = latest();
+    const axis: uPlot.Axis = {
+        stroke: css("--quiet"),
+        grid: {stroke: css("--line"), width: 1},
+        ticks: {stroke: css("--line"), width: 1},
+        font: `12px ${css("--font")}`,
+        labelFont: `12px ${css("--font")}`,
+    };
+    return {
+        width,
+        height,
+        padding: [12, 12, 0, 0],
+        cursor: {drag: {x: false, y: false}, points: {size: 7}},
+        scales: {
+            x: {time: false},
+            y: {
+                range: (_, low, high) => {
+                    const bottom = props.fromZero && low >= 0 ? 0 : low;
+                    const edge = props.top ?? high + 0.06 * (high - bottom || 1);
+                    return [bottom === 0 ? 0 : bottom - 0.06 * (high - bottom || 1), edge];
+                },
+            },
+        },
+        axes: [
+            {...axis, label: "wavelength / nm", labelSize: 22, size: 34},
+            {...axis, label: props.yLabel, labelSize: 22, size: 52},
+        ],
+        series: [
+            {label: "nm", value: (_, value) => (value === null || value === undefined ? "–" : String(value))},
+            ...props.curves.map((curve) => seriesOf(curve, () => latest().curves)),
+        ],
+        hooks: {draw: [onDraw]},
+    };
+}
+
+/// What needs another plot rather than other data.
+const shapeOf = (props: PlotProps) =>
+    JSON.stringify([props.yLabel, props.fromZero, props.top, props.curves.map(({label, colour, look}) => [label, colour, look])]);
+
+export function Plot(props: PlotProps) {
+    const box = useRef<HTMLDivElement>(null);
+    const plot = useRef<uPlot | null>(null);
+    const latest = useRef(props);
+    latest.current = props;
+    const shape = shapeOf(props);
+
+    useLayoutEffect(() => {
+        const element = box.current;
+        if (!element) return;
+        const size = () => ({width: element.clientWidth, height: parseInt(css("--plot-height"))});
+        const make = () => {
+            plot.current?.destroy();
+            const {width, height} = size();
+            plot.current = new uPlot(optionsOf(() => latest.current, width, height, () => latest.current.onDrawn?.()),
+                joined(latest.current.curves), element);
+        };
+        make();
+        const resized = new ResizeObserver(() => plot.current?.setSize(size()));
+        resized.observe(element);
+        const scheme = matchMedia("(prefers-color-scheme: dark)");
+        scheme.addEventListener("change", make);
+        return () => {
+            resized.disconnect();
+            scheme.removeEventListener("change", make);
+            plot.current?.destroy();
+            plot.current = null;
+        };
+    }, [shape]);
+
+    useLayoutEffect(() => plot.current?.setData(joined(props.curves)), [props.curves]);
+
+    return (
+        <>
+            <div class="plot" role="img" aria-label={props.description} ref={box} />
+            <details class="numbers">
+                <summary>The same in numbers</summary>
+                <NumberTable curves={props.curves} />
+            </details>
+        </>
+    );
+}
+
+function NumberTable({curves}: {curves: Curve[]}) {
+    const [wavelengths, ...columns] = joined(curves);
+    return (
+        <div class="scrolled" tabIndex={0} role="region" aria-label="values of the curves">
+            <table>
+                <thead>
+                    <tr>
+                        <th scope="col">nm</th>
+                        {curves.map(({label}) => <th scope="col">{label}</th>)}
+                    </tr>
+                </thead>
+                <tbody>
+                    {Array.from(wavelengths ?? [], (wavelength, row) => (
+                        <tr>
+                            <th scope="row">{wavelength}</th>
+                            {columns.map((column, k) => <td>{numberAt(curves[k], column[row], row)}</td>)}
+                        </tr>
+                    ))}
+                </tbody>
+            </table>
+        </div>
+    );
+}

@@ -1,0 +1,112 @@
+import type {Json, Report, Vocabulary} from "./types";
+
+/// Everything that undo restores and a link holds.
+export interface Model {
+    values: {[parameter: string]: number};
+    settings: {[setting: string]: Json};
+    free: string[];
+}
+
+type Stated = {[parameter: string]: {value: number}};
+
+const names = (json: Json | undefined): string[] => (Array.isArray(json) ? json.map(String) : []);
+
+/// The model that a whole configuration describes.
+export function modelOf(configuration: {[key: string]: Json}): Model {
+    const {parameters, free, own: _own, ...settings} = configuration;
+    const values = Object.fromEntries(
+        Object.entries((parameters ?? {}) as unknown as Stated).map(([name, {value}]) => [name, value]));
+    return {values, settings, free: names(free)};
+}
+
+/// The model as the server takes it.
+export const configurationOf = (model: Model): Json => ({...model.settings, parameters: model.values, free: model.free});
+
+/// `model` with the values that a fit found. Values of one spectrum alone, `name[2]`, have no slider.
+export function withFitted(model: Model, report: Report): Model {
+    const values = {...model.values};
+    for (const [name, {value}] of Object.entries(report.parameters)) {
+        if (name in values) values[name] = value;
+    }
+    return {...model, values};
+}
+
+const same = (a: Json | undefined, b: Json | undefined) => JSON.stringify(a) === JSON.stringify(b);
+
+/// What differs from the defaults, as the fragment of a link: `melanosome_fraction=0.1&edition=printed`.
+export function fragmentOf(model: Model, defaults: Model): string {
+    const parts = new URLSearchParams();
+    for (const [name, value] of Object.entries(model.values)) {
+        if (value !== defaults.values[name]) parts.set(name, String(value));
+    }
+    for (const [name, value] of Object.entries(model.settings)) {
+        if (!same(value, defaults.settings[name])) parts.set(name, typeof value === "string" ? value : JSON.stringify(value));
+    }
+    if (!same(model.free, defaults.free)) parts.set("free", model.free.join(","));
+    return parts.toString();
+}
+
+function settingFrom(text: string): Json {
+    try {
+        return JSON.parse(text) as Json;
+    } catch {
+        return text;
+    }
+}
+
+/// The model that a fragment describes. What it says of unknown names or in no numbers is told in `complaints`.
+export function modelFrom(fragment: string, defaults: Model): {model: Model; complaints: string[]} {
+    const model = structuredClone(defaults);
+    const complaints: string[] = [];
+    for (const [name, text] of new URLSearchParams(fragment.replace(/^#/, ""))) {
+        if (name === "free") {
+            const free = text.split(",").filter(Boolean);
+            const unknown = free.filter((each) => !(each in defaults.values));
+            if (unknown.length) complaints.push(`the link frees ${unknown.join(", ")}, which are no parameters`);
+            model.free = Object.keys(defaults.values).filter((each) => free.includes(each));
+        } else if (name in defaults.values) {
+            const value = text.trim() === "" ? NaN : Number(text);
+            if (Number.isFinite(value)) model.values[name] = value;
+            else complaints.push(`the link gives ${name} as "${text}", which is no number`);
+        } else if (name in defaults.settings) {
+            model.settings[name] = settingFrom(text);
+        } else {
+            complaints.push(`the link names "${name}", which is neither parameter nor setting`);
+        }
+    }
+    return {model, complaints};
+}
+
+/// The models that were, the one that is, and those that undo has left behind.
+export interface History {
+    past: Model[];
+    present: Model;
+    future: Model[];
+    isMoving: boolean;  ///< in the middle of a slider's movement, which is one step
+}
+
+export const begun = (present: Model): History => ({past: [], present, future: [], isMoving: false});
+
+const longest = 200;
+
+/// `history` with another present; a movement counts as one step from its first change until it settles.
+export function changed(history: History, present: Model, settles = true): History {
+    if (!history.isMoving && present === history.present) return history;
+    const past = history.isMoving ? history.past : [...history.past, history.present].slice(-longest);
+    return {past, present, future: [], isMoving: !settles};
+}
+
+export function undone(history: History): History {
+    const before = history.past.at(-1);
+    if (!before) return history;
+    return {past: history.past.slice(0, -1), present: before, future: [history.present, ...history.future], isMoving: false};
+}
+
+export function redone(history: History): History {
+    const [next, ...future] = history.future;
+    if (!next) return history;
+    return {past: [...history.past, history.present], present: next, future, isMoving: false};
+}
+
+/// Where the page begins.
+export const defaultsOf = (vocabulary: Vocabulary): Model => modelOf(vocabulary.configuration);
