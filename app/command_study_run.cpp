@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <sched.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <atomic>
@@ -29,7 +30,6 @@ struct StudyRunCommand {
 
 /// The share named in "2/10".
 StudyPart part_of(const StudyRunCommand& command) {
-    if (command.part.empty()) return {};
     const std::vector<std::string_view> halves = split(command.part, '/');
     const auto number = parse_count(halves.front());
     const auto parts = parse_count(halves.back());
@@ -89,7 +89,7 @@ StudyRunOptions options_of(const StudyRunCommand& command, const Study& study, P
     StudyRunOptions options;
     options.jobs = command.jobs > 0 ? command.jobs : usable_processors();
     options.cache = cache_from(cache);
-    options.part = part_of(command);
+    if (!command.part.empty()) options.part = part_of(command);
     options.ledger = ledger_of(command.shared, study);
     options.progress = [&line](const StudyProgress& progress) { line.show(shown(progress)); };
     options.tell = [&line](const std::string& text) { line.tell(text); };
@@ -116,6 +116,8 @@ int run_it(const StudyRunCommand& command) {
     ProgressLine line({.quiet = command.quiet, .verbose = command.verbose});
     const StudyRunOptions options = options_of(command, study, line);
     end_on_interrupt();
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(options.jobs));
     const std::optional<StudyRun> run = run_study_together(study, options);
     if (!run) return trustworthy_result;  // the process that leads says the rest
     line.end();

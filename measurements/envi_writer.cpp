@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <stdexcept>
 #include <utility>
 
 #include "core/input_error.hpp"
@@ -58,7 +59,9 @@ void EnviWriter::append(std::string_view bytes) {
 }
 
 void EnviWriter::finish() {
-    assert(appended_ == output_.samples * output_.lines * output_.band_names.size() * sizeof(float));
+    if (appended_ != output_.samples * output_.lines * output_.band_names.size() * sizeof(float)) {
+        throw std::logic_error("the bytes of an ENVI file are not those of its header");
+    }
     data_.finish();
     write_file_atomically(header_, header_text(output_));
 }

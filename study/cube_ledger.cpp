@@ -36,6 +36,11 @@ SQLite::Statement bound(const Ledger& ledger, const char* query, const std::stri
     return statement;
 }
 
+/// Where the file of a map is: names in the ledger are relative to its folder, so that both can be moved.
+std::filesystem::path map_file(const Ledger& ledger, const std::string& name) {
+    return ledger.path().parent_path() / name;
+}
+
 /// Whether what the ledger holds of the cube can stay.
 bool stands(const Ledger& ledger, const CubeEntry& cube, const std::string& configuration_hash) {
     SQLite::Statement find =
@@ -43,7 +48,32 @@ bool stands(const Ledger& ledger, const CubeEntry& cube, const std::string& conf
     if (!find.executeStep()) return false;
     const std::string map = find.getColumn(2).getString();
     return find.getColumn(0).getString() == cube.input_hash && find.getColumn(1).getString() == configuration_hash &&
-           (map.empty() || std::filesystem::exists(map));
+           (map.empty() || std::filesystem::exists(map_file(ledger, map)));
+}
+
+/// The tiles of `cube` that the ledger does not hold yet.
+void add_tiles(const Ledger& ledger, const CubeEntry& cube) {
+    SQLite::Statement add(ledger.database(),
+                          "INSERT OR IGNORE INTO tiles (source, first_line, lines) VALUES (?, ?, ?)");
+    for (const CubeTile& tile : cube.tiles) {
+        add.reset();
+        SQLite::bind(add, cube.source, static_cast<std::int64_t>(tile.first_line),
+                     static_cast<std::int64_t>(tile.lines));
+        add.exec();
+    }
+}
+
+/// Keeps what the ledger holds of a cube; false where it holds nothing. Those of its tiles that wait are those of
+/// `cube`: it may have been another part's before.
+bool keep_cube(const Ledger& ledger, const CubeEntry& cube, std::int64_t position) {
+    SQLite::Statement keep(ledger.database(),
+                           "UPDATE cubes SET present = 1, position = ?, metadata = ?, reason = ? WHERE source = ?");
+    SQLite::bind(keep, position, metadata_json(cube.metadata).dump(), cube.problem.value_or(""), cube.source);
+    if (keep.exec() == 0) return false;
+    if (cube.problem) return true;
+    bound(ledger, "DELETE FROM tiles WHERE source = ? AND counts IS NULL", cube.source).exec();
+    add_tiles(ledger, cube);
+    return true;
 }
 
 void add_cube(const Ledger& ledger, const CubeEntry& cube, std::int64_t position,
@@ -55,13 +85,7 @@ void add_cube(const Ledger& ledger, const CubeEntry& cube, std::int64_t position
     SQLite::bind(add, cube.source, position, metadata_json(cube.metadata).dump(), cube.input_hash, configuration_hash,
                  cube.problem.value_or(""));
     add.exec();
-    SQLite::Statement tiles(ledger.database(), "INSERT INTO tiles (source, first_line, lines) VALUES (?, ?, ?)");
-    for (const CubeTile& tile : cube.tiles) {
-        tiles.reset();
-        SQLite::bind(tiles, cube.source, static_cast<std::int64_t>(tile.first_line),
-                     static_cast<std::int64_t>(tile.lines));
-        tiles.exec();
-    }
+    add_tiles(ledger, cube);
 }
 
 CubeTile tile_in(const SQLite::Statement& query) {
@@ -88,16 +112,10 @@ void take_cubes(const Ledger& ledger, const std::vector<CubeEntry>& cubes, const
         ledger.database().exec("UPDATE cubes SET present = 0");
         for (std::size_t i = 0; i < cubes.size(); ++i) {
             const auto position = static_cast<std::int64_t>(i);
-            if (!stands(ledger, cubes[i], configuration_hash)) {
-                add_cube(ledger, cubes[i], position, configuration_hash);
-                continue;
-            }
-            SQLite::Statement keep(
-                ledger.database(),
-                "UPDATE cubes SET present = 1, position = ?, metadata = ?, reason = ? WHERE source = ?");
-            SQLite::bind(keep, position, metadata_json(cubes[i].metadata).dump(), cubes[i].problem.value_or(""),
-                         cubes[i].source);
-            keep.exec();
+            // What cannot be read now is no reason to lose what was found before.
+            const bool stays = cubes[i].problem || stands(ledger, cubes[i], configuration_hash);
+            if (stays && keep_cube(ledger, cubes[i], position)) continue;
+            add_cube(ledger, cubes[i], position, configuration_hash);
         }
         transaction.commit();
     });
@@ -148,7 +166,7 @@ std::vector<CubeRow> cube_rows(const Ledger& ledger) {
                             .metadata = understood(ledger.path(), [&] { return metadata_from(Json::parse(text(1))); }),
                             .configuration_hash = text(2),
                             .reason = text(3),
-                            .map = text(4)});
+                            .map = text(4).empty() ? std::string() : map_file(ledger, text(4)).string()});
             count_tiles(ledger, rows.back());
         }
         return rows;

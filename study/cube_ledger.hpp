@@ -47,7 +47,8 @@ struct CubeRow {
 };
 
 /// Makes the ledger hold these cubes, in their order. Tiles fitted from the same input with the same
-/// `configuration_hash` stay, unless the cube's map has been written and is no longer there.
+/// `configuration_hash` stay, unless the cube's map has been written and is no longer there; so does everything of a
+/// cube that cannot be read now.
 void take_cubes(const Ledger& ledger, const std::vector<CubeEntry>& cubes, const std::string& configuration_hash);
 
 /// The tiles of a cube that wait.
@@ -63,7 +64,8 @@ void refuse_cube(const Ledger& ledger, const std::string& source, const std::str
 /// Calls `use` with the tiles of a cube that are done and whose bytes are kept, in order.
 void for_each_tile(const Ledger& ledger, const std::string& source, const std::function<void(const FittedTile&)>& use);
 
-/// Notes that the map of a cube stands in the file `map`, and drops the bytes of its tiles.
+/// Notes that the map of a cube stands in the file `map`, relative to the ledger's folder, and drops the bytes of its
+/// tiles.
 void finish_cube(const Ledger& ledger, const std::string& source, const std::string& map);
 
 }  // namespace skinfit

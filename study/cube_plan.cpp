@@ -35,15 +35,14 @@ std::string hash_of(const StudyCube& cube, const SpectralCube& opened) {
     return content_hash(text);
 }
 
-/// A file name from a source: folders become underscores.
+}  // namespace
+
 std::string map_name(const std::string& source) {
     std::string name = std::filesystem::path(source).replace_extension().string();
     std::ranges::replace_if(
         name, [](char c) { return c == '/' || c == ' '; }, '_');
     return name + "_map.dat";
 }
-
-}  // namespace
 
 CubeEntry planned(const StudyCube& cube) {
     CubeEntry entry;
@@ -69,13 +68,15 @@ void write_map(const Ledger& ledger, const Study& study, const StudyCube& cube, 
     const SpectralCube opened(cube.path, cube.unit);
     const PixelFitter fitter(configuration_of(study), common_spectrum(opened), cache);
     const std::filesystem::path folder = study.output / "maps";
-    std::filesystem::create_directories(folder);
+    std::error_code ignored;  // the writer complains where there is no such folder
+    std::filesystem::create_directories(folder, ignored);
     const std::filesystem::path map = folder / map_name(cube.source);
     EnviWriter writer(map, map_output(fitter.problem(), opened, configuration_hash_of(study)));
     for_each_tile(ledger, cube.source, [&](const FittedTile& tile) { writer.append(tile.bytes); });
     writer.finish();
     (void)draw_map(map, folder);
-    finish_cube(ledger, cube.source, map.string());
+    const std::filesystem::path from = std::filesystem::absolute(ledger.path()).parent_path();
+    finish_cube(ledger, cube.source, std::filesystem::absolute(map).lexically_relative(from).string());
 }
 
 }  // namespace skinfit

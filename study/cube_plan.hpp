@@ -11,6 +11,9 @@ namespace skinfit {
 /// entry with a problem and without tiles.
 [[nodiscard]] CubeEntry planned(const StudyCube& cube);
 
+/// The file of the map of a cube, in the study's folder of maps: its source, in which folders become underscores.
+[[nodiscard]] std::string map_name(const std::string& source);
+
 /// Writes the map of a cube whose tiles are all done into `folder`, with its pictures, and notes that in the ledger.
 /// Throws InputError when they cannot be written.
 void write_map(const Ledger& ledger, const Study& study, const StudyCube& cube, const EnsembleCache& cache);

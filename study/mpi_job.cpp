@@ -10,7 +10,7 @@
 namespace skinfit {
 namespace {
 
-enum Tag : int { ask_tag = 1, task_tag, result_tag, dismissal_tag };
+enum Tag : int { ask_tag = 1, task_tag, result_tag, dismissal_tag, farewell_tag };
 
 constexpr int leader = 0;
 
@@ -65,7 +65,10 @@ MpiJob::MpiJob() {
 MpiJob::~MpiJob() {
     if (leads()) {
         for (int rank = 1; rank < size_; ++rank) send(rank, dismissal_tag, {});
-        while (arrived()) {
+        // Results that are on their way are taken off it, so that no process waits for its to be received.
+        for (int left = size_ - 1; left > 0;) {
+            const std::optional<Message> message = arrived();
+            if (message && message->tag == farewell_tag) --left;
         }
     }
     MPI_Finalize();
@@ -104,7 +107,10 @@ void MpiJob::follow(ThreadCrew& crew) const {
     send(leader, ask_tag, addressed(crew.capacity(), {}));
     while (true) {
         if (const std::optional<Message> message = arrived()) {
-            if (message->tag == dismissal_tag) return;
+            if (message->tag == dismissal_tag) {
+                send(leader, farewell_tag, {});
+                return;
+            }
             const DoneTask task = taken_apart(message->bytes);
             crew.give(task.number, task.result);
         }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "core/file.hpp"
@@ -10,6 +11,7 @@
 #include "fit/named_instrument.hpp"
 #include "fit/settings.hpp"
 #include "measurements/quality_checks.hpp"
+#include "study/cube_plan.hpp"
 #include "study/question_reading.hpp"
 #include "study/study.hpp"
 #include "study/study_inputs.hpp"
@@ -85,6 +87,19 @@ void check_distinct(const Files& files, std::set<std::string>& sources, const st
     }
 }
 
+/// Two cubes whose maps would be one file.
+void check_map_names(const std::vector<StudyCube>& cubes, const std::string& where) {
+    std::map<std::string, std::string> taken;
+    for (const StudyCube& cube : cubes) {
+        const auto [first, is_new] = taken.try_emplace(map_name(cube.source), cube.source);
+        if (is_new) continue;
+        throw InputError({.where = where + ".inputs",
+                          .problem = fmt::format("the maps of {} and {} would be one file", first->second, cube.source),
+                          .why = fmt::format("both are called {}", first->first),
+                          .remedy = "rename one of the cubes"});
+    }
+}
+
 }  // namespace
 
 Study parse_study(std::string_view text, const std::filesystem::path& path) {
@@ -104,6 +119,7 @@ Study parse_study(std::string_view text, const std::filesystem::path& path) {
     std::set<std::string> sources;
     check_distinct(study.files, sources, where);
     check_distinct(study.cubes, sources, where);
+    check_map_names(study.cubes, where);
     study.fit = read_settings(json, folder);
     study.instrument = read_instrument(json, folder, where);
     (void)with_instrument(configuration_of(study));  // so that what is wrong with them is said now

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/version.hpp"
+#include "core/input_error.hpp"
 #include "fit/report.hpp"
 #include "study/colour_classes.hpp"
 #include "study/study_assessment.hpp"
@@ -84,6 +84,8 @@ std::string header_line(const Study& study, const Columns& columns) {
         last.push_back(name);
         last.push_back(name + "_sigma");
     }
+    last.emplace_back("skin_colour");
+    last.emplace_back("p_skin_colour");
     for (const Indicator& indicator : study.indicators) last.push_back("p_" + indicator.name);
     for (const auto& [a, b] : columns.correlated) last.push_back(fmt::format("correlation_{}_{}", a, b));
     for (const char* name :
@@ -240,10 +242,22 @@ std::string csv_cell(const std::string& text) {
     return quoted + "\"";
 }
 
+std::string configuration_in(const Ledger& ledger) {
+    const std::string text = ledger.note("configuration");
+    if (!text.empty()) return text;
+    throw InputError({.where = ledger.path().string(),
+                      .problem = "holds no settings",
+                      .why = "its first run ended before it knew the inputs",
+                      .remedy = "run the study again"});
+}
+
 StudyCounts counts_of(const Ledger& ledger) {
-    StudyCounts counts{.spectra = ledger.counts(), .pixels = {}, .cubes = 0, .maps = 0, .unread_cubes = {}};
+    StudyCounts counts;
+    counts.spectra = ledger.counts();
     for (const CubeRow& row : cube_rows(ledger)) {
         ++counts.cubes;
+        counts.tiles += row.tiles;
+        counts.tiles_done += row.tiles_done;
         if (!row.map.empty()) ++counts.maps;
         if (!row.reason.empty()) counts.unread_cubes.emplace_back(row.source, row.reason);
         for (std::size_t i = 0; i < row.pixels.size(); ++i) counts.pixels[i] += row.pixels[i];
@@ -253,11 +267,14 @@ StudyCounts counts_of(const Ledger& ledger) {
 
 std::string status_text(const StudyCounts& counts) {
     const auto spectra = std::accumulate(counts.spectra.begin(), counts.spectra.end(), std::uint64_t{0});
-    std::string text =
-        fmt::format("{} {}: {}\n", spectra, spectra == 1 ? "spectrum" : "spectra", counts_text(counts.spectra));
+    std::string text;
+    if (spectra > 0 || counts.cubes == 0) {
+        text = fmt::format("{} {}: {}\n", spectra, spectra == 1 ? "spectrum" : "spectra", counts_text(counts.spectra));
+    }
     if (counts.cubes > 0) {
-        text += fmt::format("{} {}, {} with a map; pixels: {}\n", counts.cubes, counts.cubes == 1 ? "cube" : "cubes",
-                            counts.maps, counts_text(counts.pixels));
+        text += fmt::format("{} {}, {} with a map; {} of {} tiles done; pixels of these: {}\n", counts.cubes,
+                            counts.cubes == 1 ? "cube" : "cubes", counts.maps, counts.tiles_done, counts.tiles,
+                            counts_text(counts.pixels));
     }
     for (const auto& [source, reason] : counts.unread_cubes) text += fmt::format("{}: FAILED: {}\n", source, reason);
     return text;
@@ -268,6 +285,7 @@ Json status_json(const StudyCounts& counts) {
     json["pixels"] = counts_json(counts.pixels);
     json["cubes"] = counts.cubes;
     json["maps"] = counts.maps;
+    json["tiles"] = {{"done", counts.tiles_done}, {"pending", counts.tiles - counts.tiles_done}};
     return json;
 }
 
@@ -280,7 +298,7 @@ std::string study_csv(const Study& study, const std::vector<AnsweredRow>& rows) 
 
 Json results_json(const Study& study, const Ledger& ledger, const std::vector<AnsweredRow>& rows) {
     Json json = {{"study", study.name}, {"version", ledger.note("version")}};
-    json["configuration"] = Json::parse(ledger.note("configuration"));
+    json["configuration"] = Json::parse(configuration_in(ledger));
     json.update(definitions_json(study));
     json["counts"] = status_json(counts_of(ledger));
     json["repeatability"] = repeatability_json(study, rows);

@@ -14,11 +14,16 @@ struct StudyCounts {
     StatusCounts spectra{};
     StatusCounts pixels{};
     std::size_t cubes = 0;
-    std::size_t maps = 0;                                           ///< cubes whose map is written
+    std::size_t maps = 0;   ///< cubes whose map is written
+    std::size_t tiles = 0;  ///< of all cubes
+    std::size_t tiles_done = 0;
     std::vector<std::pair<std::string, std::string>> unread_cubes;  ///< source and reason
 };
 
 [[nodiscard]] StudyCounts counts_of(const Ledger& ledger);
+
+/// The configuration of the fits, JSON, as the last run noted it. Throws InputError where none has come so far.
+[[nodiscard]] std::string configuration_in(const Ledger& ledger);
 
 /// For people: one line per kind.
 [[nodiscard]] std::string status_text(const StudyCounts& counts);

@@ -201,7 +201,7 @@ StudyResults results_of(const Study& study, const Ledger& ledger) {
     return {.rows = answered(study, ledger.rows()),
             .cubes = cube_rows(ledger),
             .counts = counts_of(ledger),
-            .configuration = ledger.note("configuration"),
+            .configuration = configuration_in(ledger),
             .version = ledger.note("version")};
 }
 

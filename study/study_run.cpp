@@ -61,19 +61,23 @@ void take_part(Plan& plan, const StudyPart& part) {
     }
 }
 
-std::vector<StudyTask> tasks_of(const Study& study, const Ledger& ledger) {
+std::vector<StudyTask> tasks_of(const Study& study, const Ledger& ledger, const Plan& plan) {
+    std::map<std::pair<std::string, std::size_t>, const RosterEntry*> planned_entries;
+    for (const RosterEntry& entry : plan.roster) planned_entries[{entry.source, entry.number}] = &entry;
     std::vector<StudyTask> tasks;
     for (std::size_t file = 0; file < study.files.size(); ++file) {
         const std::vector<LedgerKey> keys = ledger.pending(study.files[file].source);
         for (std::size_t first = 0; first < keys.size(); first += spectra_at_once) {
-            SpectraTask task{.file = file, .numbers = {}};
+            SpectraTask task{.file = file, .spectra = {}};
             for (std::size_t i = first; i < std::min(first + spectra_at_once, keys.size()); ++i) {
-                task.numbers.push_back(keys[i].number);
+                const RosterEntry& entry = *planned_entries.at({keys[i].source, keys[i].number});
+                task.spectra.push_back({.number = entry.number, .name = entry.name, .input_hash = entry.input_hash});
             }
             tasks.emplace_back(std::move(task));
         }
     }
     for (std::size_t cube = 0; cube < study.cubes.size(); ++cube) {
+        if (plan.cubes[cube].problem) continue;
         for (const CubeTile& tile : pending_tiles(ledger, study.cubes[cube].source)) {
             tasks.emplace_back(TileTask{.cube = cube, .tile = tile});
         }
@@ -89,7 +93,7 @@ StudyProgress to_do(const std::vector<StudyTask>& tasks, const std::vector<CubeE
     StudyProgress progress;
     for (const StudyTask& task : tasks) {
         if (const auto* const spectra = std::get_if<SpectraTask>(&task)) {
-            progress.spectra_to_do += spectra->numbers.size();
+            progress.spectra_to_do += spectra->spectra.size();
         } else {
             const auto& tile = std::get<TileTask>(task);
             progress.pixels_to_do += pixels_of(cubes[tile.cube], tile.tile);
@@ -130,7 +134,7 @@ void check_settings(const Study& study) {
 /// Writes the maps of all cubes whose tiles are all done.
 void write_maps(const Study& study, const Ledger& ledger, const StudyRunOptions& options) {
     for (const CubeRow& row : cube_rows(ledger)) {
-        if (row.tiles == 0 || row.tiles_done < row.tiles || !row.map.empty()) continue;
+        if (row.tiles == 0 || row.tiles_done < row.tiles || !row.map.empty() || !row.reason.empty()) continue;
         const auto cube = std::ranges::find(study.cubes, row.source, &StudyCube::source);
         options.tell(fmt::format("writing the map of {}", row.source));
         write_map(ledger, study, *cube, options.cache);
@@ -147,12 +151,11 @@ void make_folder(const std::filesystem::path& folder) {
                       .remedy = "name an output folder that can be written"});
 }
 
-Ledger opened(const Study& study, const StudyRunOptions& options) {
-    Ledger ledger(options.ledger, Ledger::Access::write);
+/// For those who read the ledger.
+void note_settings(Ledger& ledger, const Study& study) {
     ledger.set_note("study", study.name);
     ledger.set_note("version", std::string(version));
     ledger.set_note("configuration", to_json(with_instrument(configuration_of(study))).dump());
-    return ledger;
 }
 
 void tell_change(const RosterChange& change, const StudyRunOptions& options) {
@@ -175,10 +178,11 @@ std::filesystem::path ledger_path(const Study& study) {
 }
 
 std::string configuration_hash_of(const Study& study) {
-    const Json everything = {{"version", version},
-                             {"configuration", to_json(with_instrument(configuration_of(study)))},
-                             {"fit", study.fit},
-                             {"accept", study.accept}};
+    // What an instrument says counts, not the file that says it.
+    Configuration configuration = with_instrument(configuration_of(study));
+    configuration.instrument.reset();
+    const Json everything = {
+        {"version", version}, {"configuration", to_json(configuration)}, {"fit", study.fit}, {"accept", study.accept}};
     return content_hash(everything.dump());
 }
 
@@ -186,14 +190,15 @@ StudyRun run_study(const Study& study, const StudyRunOptions& options) {
     check_settings(study);
     make_folder(options.ledger.parent_path());
     const LedgerLock lock(options.ledger);
-    Ledger ledger = opened(study, options);
+    Ledger ledger(options.ledger, Ledger::Access::write);
     const std::string hash = configuration_hash_of(study);
     Plan plan = plan_of(study);
-    take_part(plan, options.part);
+    if (options.part) take_part(plan, *options.part);
     StudyRun run{.change = ledger.take(plan.roster, hash), .left_out = plan.left_out, .progress = {}};
     take_cubes(ledger, plan.cubes, hash);
+    note_settings(ledger, study);
     tell_change(run.change, options);
-    const std::vector<StudyTask> tasks = tasks_of(study, ledger);
+    const std::vector<StudyTask> tasks = tasks_of(study, ledger, plan);
     run.progress = to_do(tasks, plan.cubes);
     options.progress(run.progress);
     {
@@ -210,7 +215,7 @@ StudyRun run_study(const Study& study, const StudyRunOptions& options) {
                                       options.remote);
         run.stopped = done < tasks.size();
     }
-    if (options.part.parts == 1) write_maps(study, ledger, options);
+    if (!options.part) write_maps(study, ledger, options);
     return run;
 }
 
@@ -218,11 +223,12 @@ StudyRun merge_study(const Study& study, const std::vector<std::filesystem::path
                      const StudyRunOptions& options) {
     make_folder(options.ledger.parent_path());
     const LedgerLock lock(options.ledger);
-    Ledger ledger = opened(study, options);
+    Ledger ledger(options.ledger, Ledger::Access::write);
     const std::string hash = configuration_hash_of(study);
     const Plan plan = plan_of(study);
     StudyRun run{.change = ledger.take(plan.roster, hash), .left_out = plan.left_out, .progress = {}};
     take_cubes(ledger, plan.cubes, hash);
+    note_settings(ledger, study);
     for (const std::filesystem::path& path : parts) {
         const TakenAnswers taken = take_answers(ledger, path);
         options.tell(fmt::format("{}: {} spectra and {} tiles", path.string(), taken.spectra, taken.tiles));

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,8 @@ struct StudyProgress {
 struct StudyRunOptions {
     int jobs = 1;  ///< threads
     EnsembleCache cache;
-    StudyPart part{};
-    std::filesystem::path ledger;  ///< `ledger_path` of the study, or one of its own for a part
+    std::optional<StudyPart> part{};  ///< unset: all of it
+    std::filesystem::path ledger;     ///< `ledger_path` of the study, or one of its own for a part
     std::function<void(const StudyProgress&)> progress;
     std::function<void(const std::string&)> tell;  ///< what happened, a line each
     std::function<bool()> stop;                    ///< whether to end early, with what has begun finished

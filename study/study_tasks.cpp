@@ -24,7 +24,9 @@ CubeTile tile_from(const Json& json) {
 
 std::string bytes_of(const StudyTask& task) {
     if (const auto* const spectra = std::get_if<SpectraTask>(&task)) {
-        return packed({{"file", spectra->file}, {"numbers", spectra->numbers}});
+        Json list = Json::array();
+        for (const auto& [number, name, hash] : spectra->spectra) list.push_back({number, name, hash});
+        return packed({{"file", spectra->file}, {"spectra", list}});
     }
     const auto& tile = std::get<TileTask>(task);
     return packed({{"cube", tile.cube}, {"tile", tile_json(tile.tile)}});
@@ -33,8 +35,13 @@ std::string bytes_of(const StudyTask& task) {
 StudyTask task_in(const std::string& bytes) {
     const Json json = Json::from_cbor(bytes);
     if (json.contains("file")) {
-        return SpectraTask{.file = json.at("file").get<std::size_t>(),
-                           .numbers = json.at("numbers").get<std::vector<std::size_t>>()};
+        SpectraTask task{.file = json.at("file").get<std::size_t>(), .spectra = {}};
+        for (const Json& each : json.at("spectra")) {
+            task.spectra.push_back({.number = each.at(0).get<std::size_t>(),
+                                    .name = each.at(1).get<std::string>(),
+                                    .input_hash = each.at(2).get<std::string>()});
+        }
+        return task;
     }
     return TileTask{.cube = json.at("cube").get<std::size_t>(), .tile = tile_from(json.at("tile"))};
 }

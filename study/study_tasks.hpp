@@ -12,10 +12,18 @@
 /// The pieces into which a study's work is cut, and what comes of them; as bytes they travel between processes.
 namespace skinfit {
 
-/// Some spectra of one file.
+/// A spectrum to be fitted, as the plan of the run knows it.
+struct TaskedSpectrum {
+    std::size_t number;  ///< as `RosterEntry`
+    std::string name;
+    std::string input_hash;
+};
+
+/// Some spectra of one file. Those that are no longer what the plan knew, because the file has been edited meanwhile,
+/// are left to the next run.
 struct SpectraTask {
-    std::size_t file;                  ///< of `Study::files`
-    std::vector<std::size_t> numbers;  ///< in the file, as `RosterEntry::number`
+    std::size_t file;  ///< of `Study::files`
+    std::vector<TaskedSpectrum> spectra;
 };
 
 /// A tile of a cube.

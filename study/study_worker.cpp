@@ -21,11 +21,13 @@ public:
     SpectraDone fit(const SpectraTask& task) {
         const std::shared_ptr<const StudySpectra> read = spectra_of(task.file);
         SpectraDone done;
-        for (const std::size_t number : task.numbers) {
+        for (const TaskedSpectrum& wanted : task.spectra) {
             for (std::size_t i = 0; i < read->entries.size(); ++i) {
                 const RosterEntry& entry = read->entries[i];
-                if (entry.number != number) continue;
-                done.answers.push_back({.key = {.source = entry.source, .number = number, .name = entry.name},
+                const bool is_it =
+                    entry.number == wanted.number && entry.name == wanted.name && entry.input_hash == wanted.input_hash;
+                if (!is_it) continue;
+                done.answers.push_back({.key = {.source = entry.source, .number = entry.number, .name = entry.name},
                                         .studied = fitter_.fit(read->spectra[i])});
             }
         }

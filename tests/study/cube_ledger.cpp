@@ -126,5 +126,33 @@ TEST_F(CubeLedger, ARefusalHoldsUntilTheNextRun) {
     EXPECT_EQ(cube_rows(ledger).at(0).reason, "");
 }
 
+TEST_F(CubeLedger, WhatCannotBeReadForAWhileIsNotLost) {
+    const Ledger ledger = opened();
+    take_cubes(ledger, {hand()}, "settings");
+    const CubeTile first = pending_tiles(ledger, "hand.hdr").front();
+    store_tile(ledger, "hand.hdr", fitted(first.first_line, first.lines));
+    CubeEntry unreadable = hand("why it cannot be read");
+    unreadable.problem = "no disk";
+    unreadable.tiles.clear();
+    take_cubes(ledger, {unreadable}, "settings");
+    EXPECT_EQ(cube_rows(ledger).at(0).reason, "no disk");
+    EXPECT_EQ(cube_rows(ledger).at(0).tiles_done, 1U);
+    take_cubes(ledger, {hand()}, "settings");
+    EXPECT_EQ(cube_rows(ledger).at(0).reason, "");
+    EXPECT_EQ(cube_rows(ledger).at(0).tiles_done, 1U);
+    EXPECT_EQ(pending_tiles(ledger, "hand.hdr").size(), 2U);
+}
+
+TEST_F(CubeLedger, APartThatBecomesTheWholeHasAllTiles) {
+    const Ledger ledger = opened();
+    CubeEntry part = hand();
+    part.tiles = {part.tiles[1]};
+    take_cubes(ledger, {part}, "settings");
+    store_tile(ledger, "hand.hdr", fitted(part.tiles[0].first_line, part.tiles[0].lines));
+    take_cubes(ledger, {hand()}, "settings");
+    EXPECT_EQ(cube_rows(ledger).at(0).tiles, 3U);
+    EXPECT_EQ(pending_tiles(ledger, "hand.hdr").size(), 2U);
+}
+
 }  // namespace
 }  // namespace skinfit

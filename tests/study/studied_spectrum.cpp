@@ -66,10 +66,14 @@ TEST(StudiedSpectrum, EveryStatusHasAName) {
 }
 
 TEST(StudyTasks, OfSpectraComeBack) {
-    const auto task = std::get<SpectraTask>(task_in(bytes_of(SpectraTask{.file = 7, .numbers = {1, 300, 70000}})));
+    const SpectraTask given{.file = 7, .spectra = {{1, "a", "x"}, {70000, "b", "y"}}};
+    const auto task = std::get<SpectraTask>(task_in(bytes_of(given)));
     EXPECT_EQ(task.file, 7U);
-    EXPECT_EQ(task.numbers, (std::vector<std::size_t>{1, 300, 70000}));
-    EXPECT_TRUE(std::get<SpectraTask>(task_in(bytes_of(SpectraTask{.file = 0, .numbers = {}}))).numbers.empty());
+    ASSERT_EQ(task.spectra.size(), 2U);
+    EXPECT_EQ(task.spectra[1].number, 70000U);
+    EXPECT_EQ(task.spectra[1].name, "b");
+    EXPECT_EQ(task.spectra[1].input_hash, "y");
+    EXPECT_TRUE(std::get<SpectraTask>(task_in(bytes_of(SpectraTask{.file = 0, .spectra = {}}))).spectra.empty());
 }
 
 TEST(StudyTasks, OfTilesComeBack) {

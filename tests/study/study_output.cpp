@@ -103,6 +103,7 @@ TEST(StudyCsv, HoldsNumbersToTheLastBit) {
     EXPECT_EQ(std::stod(cell(table, 1, "p_low")), answered(asking(), rows())[0].indicators[0].probability.value());
     EXPECT_EQ(std::stod(cell(table, 2, "correlation_oxygen_saturation_melanosome_fraction")), -2.0 / 3.0);
     EXPECT_EQ(cell(table, 1, "correlation_oxygen_saturation_melanosome_fraction"), "");
+    EXPECT_EQ(cell(table, 1, "skin_colour"), "");
     EXPECT_EQ(std::stod(cell(table, 2, "melanin_index")), 100.0 / 3.0);
     EXPECT_EQ(std::stod(cell(table, 2, "chi2")), example_answer().chi2.value());
     EXPECT_EQ(cell(table, 2, "p_value"), "");
@@ -142,6 +143,15 @@ TEST(StudyCsv, MetadataDoNotHideOtherColumns) {
     EXPECT_EQ(cell(table, 1, "age"), "3");
 }
 
+TEST(StudyCsv, NamesTheMostProbableColour) {
+    std::vector<LedgerRow> dark = {rows()[0]};
+    dark[0].studied.indices = {{.name = "individual_typology_angle_deg", .value = -30.0, .sigma = 5.0},
+                               {.name = "melanin_index", .value = 60.0, .sigma = 1.0}};
+    const auto table = table_in(study_csv(asking(), answered(asking(), dark)));
+    EXPECT_EQ(cell(table, 1, "skin_colour"), "brown");
+    EXPECT_NEAR(std::stod(cell(table, 1, "p_skin_colour")), 0.5, 1.0 / 200);  // one slice of the distribution
+}
+
 TEST(StudyCsv, OfNoSpectrumIsAHeader) {
     EXPECT_EQ(table_in(study_csv(asking(), {})).size(), 1U);
 }
@@ -152,16 +162,20 @@ TEST(StudyStatus, SaysHowManyOfEachKindThereAre) {
     EXPECT_EQ(status_text(counts), "15 spectra: 1 pending, 2 fitted, 3 suspect, 4 rejected, 5 failed\n");
     counts.spectra = {0, 1, 0, 0, 0, 0};
     counts.cubes = 1;
+    counts.tiles = 8;
+    counts.tiles_done = 3;
     counts.pixels = {0, 90, 0, 0, 0, 10};
     counts.unread_cubes = {{"foot.hdr", "no bands"}};
     EXPECT_EQ(status_text(counts),
               "1 spectrum: 0 pending, 1 fitted, 0 suspect, 0 rejected, 0 failed\n"
-              "1 cube, 0 with a map; pixels: 0 pending, 90 fitted, 0 suspect, 0 rejected, 0 failed, 10 masked\n"
+              "1 cube, 0 with a map; 3 of 8 tiles done; pixels of these: 0 pending, 90 fitted, 0 suspect, 0 rejected, "
+              "0 failed, 10 masked\n"
               "foot.hdr: FAILED: no bands\n");
     const Json json = status_json(counts);
     EXPECT_EQ(json["fitted"], 1);
     EXPECT_EQ(json["pixels"]["masked"], 10);
     EXPECT_EQ(json["cubes"], 1);
+    EXPECT_EQ(json["tiles"]["pending"], 5);
 }
 
 class StudyJson : public test::TemporaryFolder {};
@@ -172,7 +186,7 @@ TEST_F(StudyJson, HoldsAnswersAndDefinitions) {
     ledger.store(test::example_answers(test::example_roster(1)));
     ledger.set_note("configuration", "{\"noise\": 0.004}");
     ledger.set_note("version", "1.2.3");
-    const Json json = study_json(asking(), ledger, answered(asking(), ledger.rows()));
+    const Json json = results_json(asking(), ledger, answered(asking(), ledger.rows()));
     EXPECT_EQ(json["study"], "example");
     EXPECT_EQ(json["version"], "1.2.3");
     EXPECT_EQ(json["configuration"]["noise"], 0.004);
