@@ -103,12 +103,11 @@ TEST(StudyTasks, AnswersComeBackToTheLastBit) {
 TEST(StudyTasks, TilesComeBackWithAllTheirBytes) {
     std::string bytes;
     for (int c = 0; c < 256; ++c) bytes += static_cast<char>(c);
-    const TileDone done{.cube = 2,
-                        .tile = {.tile = {.first_line = 8, .lines = 4},
-                                 .pixels = {0, 1, 2, 3, 4, std::uint64_t{1} << 40},
-                                 .bytes = bytes,
-                                 .seconds = 1.0 / 3.0},
-                        .problem = "none"};
+    const FittedTile tile{.tile = {.first_line = 8, .lines = 4},
+                          .pixels = {0, 1, 2, 3, 4, std::uint64_t{1} << 40},
+                          .bytes = bytes,
+                          .seconds = 1.0 / 3.0};
+    const TileDone done{.cube = 2, .tile = tile, .problem = "none"};
     const auto back = std::get<TileDone>(done_in(bytes_of(done)));
     EXPECT_EQ(back.cube, 2U);
     EXPECT_EQ(back.tile.tile.first_line, 8U);
