@@ -77,6 +77,22 @@ bool has_log(const std::filesystem::path& path) {
     return !none && size > 0;
 }
 
+/// The definitions of a ledger's tables, as the database keeps them.
+std::string definitions_in(const SQLite::Database& database) {
+    SQLite::Statement query(database,
+                            "SELECT sql FROM sqlite_master WHERE name IN ('spectra', 'spectra_by_status', 'cubes', "
+                            "'tiles', 'notes') ORDER BY name");
+    std::string definitions;
+    while (query.executeStep()) definitions += query.getColumn(0).getString();
+    return definitions;
+}
+
+std::string right_definitions() {
+    SQLite::Database empty(":memory:", SQLite::OPEN_READWRITE);
+    empty.exec(tables);
+    return definitions_in(empty);
+}
+
 void check_kind(const SQLite::Database& database, const std::filesystem::path& path) {
     const auto pragma = [&](const char* query) {
         SQLite::Statement statement(database, query);
@@ -95,6 +111,7 @@ void check_kind(const SQLite::Database& database, const std::filesystem::path& p
                           .why = fmt::format("this program knows version {}", ledger_schema_version),
                           .remedy = "use the program that wrote it, or another output folder"});
     }
+    if (definitions_in(database) != right_definitions()) refuse_damaged(path, "its tables are not those of a ledger");
 }
 
 void make_tables(SQLite::Database& database) {
@@ -110,10 +127,23 @@ void check_through(SQLite::Database& database, const std::filesystem::path& path
     if (answer != "ok") refuse_damaged(path, answer);
 }
 
+/// What `work`, which opens a file, gives. Its questions fit every database, so that an error in them is the file's.
+template <class Work>
+auto opened(const std::filesystem::path& path, const Work& work) {
+    return translated(path, [&] {
+        try {
+            return work();
+        } catch (const SQLite::Exception& error) {
+            if (error.getErrorCode() == SQLITE_ERROR) refuse_damaged(path, error.what());
+            throw;
+        }
+    });
+}
+
 }  // namespace
 
 std::unique_ptr<SQLite::Database> open_ledger_to_write(const std::filesystem::path& path) {
-    return translated(path, [&] {
+    return opened(path, [&] {
         auto database = std::make_unique<SQLite::Database>(path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
                                                            patience_ms);
         const bool is_new = database->execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0 &&
@@ -145,7 +175,7 @@ std::unique_ptr<SQLite::Database> open_ledger_to_read(const std::filesystem::pat
                           .why = "the study has not been run",
                           .remedy = "run it with `skinfit study run`"});
     }
-    return translated(path, [&] {
+    return opened(path, [&] {
         const auto open = [&](const std::string& name, int flags) {
             auto database = std::make_unique<SQLite::Database>(name, SQLite::OPEN_READONLY | flags, patience_ms);
             check_kind(*database, path);

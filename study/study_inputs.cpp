@@ -4,6 +4,8 @@
 #include <glob.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <regex>
 
 #include "core/file.hpp"
@@ -197,6 +199,9 @@ StudyInputs read_inputs(const Json& json, const fs::path& folder, const std::str
         const std::array<std::string_view, 3> kinds = {"files", "manifest", "cube"};
         const auto kind = std::ranges::find_if(kinds, [&](std::string_view name) { return each.contains(name); });
         if (kind == kinds.end()) refuse(here, each, "it names no \"files\", \"manifest\" or \"cube\"", example);
+        if (std::any_of(kind + 1, kinds.end(), [&](std::string_view name) { return each.contains(name); })) {
+            refuse(here, each, "it is two kinds of input", "make an input of each");
+        }
         if (*kind == "files") add_files(each, folder, here, inputs);
         if (*kind == "manifest") add_manifest(each, folder, here, inputs);
         if (*kind == "cube") add_cubes(each, folder, here, inputs);

@@ -32,7 +32,7 @@ protected:
                    "settings");
         store_tile(ledger, "c.hdr", {.tile = {0, 4}, .pixels = {1, 2, 3}, .bytes = "bytes"});
     }
-    /// What opening, either way, and reading say of the file; they leave its bytes alone.
+    /// What opening, either way, and reading say of the file; who refuses it leaves its bytes alone.
     [[nodiscard]] std::vector<std::string> complaints() const {
         const std::string before = read_file(path());
         std::vector<std::string> said;
@@ -43,7 +43,7 @@ protected:
             (void)cube_rows(ledger);
         }));
         said.push_back(complaint_of([&] { const Ledger ledger(path(), Ledger::Access::write); }));
-        EXPECT_EQ(read_file(path()), before) << said[1];
+        EXPECT_TRUE(said[1].empty() || read_file(path()) == before) << said[1];
         return said;
     }
     void expect_complaint(const std::string& words) const {

@@ -40,7 +40,7 @@ TEST_F(StudyFiles, HoldsWhatItsFileSays) {
     const Study study = parsed(R"({
   // comments are allowed
   "name": "jaundice",
-  "inputs": ["a.csv", {"files": "b.csv", "unit": "percent", "reader": "text", "metadata": {"site": "arm", "age": 3},
+  "inputs": ["a.csv", {"files": "b.csv", "unit": "percent", "reader": "columns", "metadata": {"site": "arm", "age": 3},
              "names": {"pattern": "^(s[0-9]+)_(.*)$", "fields": ["subject", "visit"]}}],
   "instrument": "ncsu_45_0",
   "fit": {"noise": 0.004},
@@ -58,7 +58,7 @@ TEST_F(StudyFiles, HoldsWhatItsFileSays) {
     ASSERT_EQ(study.files.size(), 2U);
     EXPECT_EQ(study.files[0].source, "a.csv");
     EXPECT_EQ(study.files[1].unit, Unit::percent);
-    EXPECT_EQ(study.files[1].reader, "text");
+    EXPECT_EQ(study.files[1].reader, "columns");
     EXPECT_EQ(study.files[1].metadata, (Metadata{{"site", "arm"}, {"age", "3"}}));
     EXPECT_EQ(study.files[1].names->fields, (Names{"subject", "visit"}));
     EXPECT_EQ(study.instrument, "ncsu_45_0");

@@ -66,13 +66,17 @@ TEST_F(StudyRefusals, OfInputs) {
              "study.json.inputs: name a.csv twice (its spectra would count twice); leave it out of one of them"},
             {R"(["a.csv", {"manifest": "m.csv"}])",
              "study.json.inputs: name a.csv twice (its spectra would count twice); leave it out of one of them"},
-            {R"([{"manifest": "none.csv"}])", "none.csv: cannot be read (No such file or directory); check the path"},
+            {R"([{"manifest": "none.csv"}])",
+             "none.csv: cannot be read (No such file or directory); check the name and the permission "
+             "to read it"},
             {R"([{"files": []}])", "study.json.inputs[0].files: [] cannot be used (it names no file)" + example},
             {R"([{"files": "a.csv", "units": "percent"}])",
              "study.json.inputs[0]: unknown name \"units\" (it would have no effect); did you mean \"unit\"?"},
             {R"([{"files": "a.csv", "manifest": "m.csv"}])",
-             "study.json.inputs[0]: unknown name \"manifest\" (it would have no effect); see `skinfit config show` for "
-             "the names"},
+             "study.json.inputs[0]: {\"files\":\"a.csv\",\"manifest\":\"m.csv\"} cannot be used (it is two kinds of "
+             "input); make an input of each"},
+            {R"([{"files": "a.csv", "subject": "s"}])",
+             "study.json.inputs[0]: unknown name \"subject\" (it would have no effect)" + example},
             {R"([{"files": "a.csv", "metadata": {"site": ["arm"]}}])",
              "study.json.inputs[0].metadata.site: [\"arm\"] cannot be used (a word or a number is needed)" + example},
             {R"([{"files": "a.csv", "metadata": "arm"}])",
@@ -83,7 +87,8 @@ TEST_F(StudyRefusals, OfInputs) {
 TEST_F(StudyRefusals, OfPatternsOfNames) {
     expect(
         {{R"({"pattern": "(a", "fields": ["s"]})",
-          "study.json.inputs[0].names.pattern: \"(a\" cannot be used (Parenthesis is not closed.); write a regular "
+          "study.json.inputs[0].names.pattern: \"(a\" cannot be used (Mismatched '(' and ')' in regular expression); "
+          "write a regular "
           "expression"},
          {R"x({"pattern": "(a)(b)", "fields": ["s"]})x",
           "study.json.inputs[0].names.fields: [\"s\"] cannot be used (the pattern has 2 groups); name each group "
@@ -113,7 +118,7 @@ TEST_F(StudyRefusals, OfIndicators) {
     expect({{R"({"name": "i", "parameter": "oxygen_saturation", "above": 0.5})",
              "study.json.indicators[0]: no \"source\" (a reader must see what is asked, and why there)" + example},
             {R"({"name": "i", "parameter": "oxygen_saturation", "above": 0.5, "below": 0.4, "source": "x"})",
-             "study.json.indicators[0]: {\"name\":\"i\",\"parameter\":\"oxygen_saturation\",\"above\":0.5,\"be... "
+             "study.json.indicators[0]: {\"name\":\"i\",\"parameter\":\"oxygen_saturation\",\"above\":0.5,\"bel... "
              "cannot be "
              "used (either \"above\" or \"below\" is needed); give one of the two"},
             {R"({"name": "i", "parameter": "bilirubin", "above": 0.5, "source": "x"})",
@@ -123,7 +128,7 @@ TEST_F(StudyRefusals, OfIndicators) {
              "study.json.indicators[0].index: unknown name \"melanin\" (it would have no effect); did you mean "
              "\"melanin_index\"?"},
             {R"({"name": "i", "index": "melanin_index", "parameter": "a", "above": 0.5, "source": "x"})",
-             "study.json.indicators[0]: {\"name\":\"i\",\"index\":\"melanin_index\",\"parameter\":\"a\",\"abov... "
+             "study.json.indicators[0]: {\"name\":\"i\",\"index\":\"melanin_index\",\"parameter\":\"a\",\"above\":... "
              "cannot be "
              "used (either \"parameter\" or \"index\" is needed); give one of the two"},
             {R"({"name": "i", "parameter": "oxygen_saturation", "above": 1.5, "source": "x"})",
