@@ -85,6 +85,21 @@ std::vector<StudyTask> tasks_of(const Study& study, const Ledger& ledger, const 
     return tasks;
 }
 
+/// How many tiles of each cube are to be done.
+std::vector<std::size_t> tiles_of_cubes(const std::vector<StudyTask>& tasks, std::size_t cubes) {
+    std::vector<std::size_t> tiles(cubes, 0);
+    for (const StudyTask& task : tasks) {
+        if (const auto* const tile = std::get_if<TileTask>(&task)) ++tiles[tile->cube];
+    }
+    return tiles;
+}
+
+/// Counts down, and says whether this was the last tile of its cube.
+bool ends_a_cube(const StudyDone& done, std::vector<std::size_t>& waiting) {
+    const auto* const tile = std::get_if<TileDone>(&done);
+    return tile != nullptr && --waiting[tile->cube] == 0;
+}
+
 std::uint64_t pixels_of(const CubeEntry& cube, const CubeTile& tile) {
     return cube.samples * tile.lines;
 }
@@ -201,6 +216,10 @@ StudyRun run_study(const Study& study, const StudyRunOptions& options) {
     const std::vector<StudyTask> tasks = tasks_of(study, ledger, plan);
     run.progress = to_do(tasks, plan.cubes);
     options.progress(run.progress);
+    std::vector<std::size_t> waiting = tiles_of_cubes(tasks, study.cubes.size());
+    const auto finish_maps = [&] {
+        if (!options.part) write_maps(study, ledger, options);
+    };
     {
         ThreadCrew crew(options.jobs, study_worker(study, options.cache));
         const std::size_t done = lead(crew,
@@ -208,14 +227,17 @@ StudyRun run_study(const Study& study, const StudyRunOptions& options) {
                                        .text = [&](std::size_t number) { return bytes_of(tasks[number]); },
                                        .take =
                                            [&](const DoneTask& task) {
-                                               store(ledger, study, plan, done_in(task.result), run.progress);
+                                               const StudyDone done = done_in(task.result);
+                                               store(ledger, study, plan, done, run.progress);
+                                               // At once, so that the ledger holds the tiles of few cubes.
+                                               if (ends_a_cube(done, waiting)) finish_maps();
                                                options.progress(run.progress);
                                            },
                                        .stop = options.stop},
                                       options.remote);
         run.stopped = done < tasks.size();
     }
-    if (!options.part) write_maps(study, ledger, options);
+    finish_maps();
     return run;
 }
 
