@@ -227,10 +227,10 @@ StudyRun run_study(const Study& study, const StudyRunOptions& options) {
                                        .text = [&](std::size_t number) { return bytes_of(tasks[number]); },
                                        .take =
                                            [&](const DoneTask& task) {
-                                               const StudyDone done = done_in(task.result);
-                                               store(ledger, study, plan, done, run.progress);
+                                               const StudyDone answer = done_in(task.result);
+                                               store(ledger, study, plan, answer, run.progress);
                                                // At once, so that the ledger holds the tiles of few cubes.
-                                               if (ends_a_cube(done, waiting)) finish_maps();
+                                               if (ends_a_cube(answer, waiting)) finish_maps();
                                                options.progress(run.progress);
                                            },
                                        .stop = options.stop},
