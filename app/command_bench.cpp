@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "bench/output.hpp"
 #include "bench/scaling.hpp"
@@ -12,23 +13,26 @@ struct BenchCommand {
     std::filesystem::path scaling;
 };
 
-int run(const BenchCommand& command) {
+int run(const BenchCommand& command, Session& session) {
     check_output(command.output);
+    ProgressLine line(session, "measuring");
+    const auto tell = [&line](const std::string& what) { line.show({.what = what}); };
     if (!command.scaling.empty()) {
         SharedOptions probe;
         probe.out = command.scaling / "scaling_rays.svg";
         check_output(probe);  // before the work
-        write_scaling(measure_scaling(), command.scaling);
+        write_scaling(measure_scaling(tell), command.scaling);
         return trustworthy_result;
     }
-    const BenchResult result = measure_ladder(command.sizes);
+    const BenchResult result = measure_ladder(command.sizes, tell);
+    line.end();
     write_output(command.output, command.output.format == "json" ? json_text(bench_json(result)) : bench_text(result));
     return trustworthy_result;
 }
 
 }  // namespace
 
-void add_bench_command(CLI::App& app, int& exit_code) {
+void add_bench_command(CLI::App& app, Session& session) {
     const auto command = std::make_shared<BenchCommand>();
     command->output.format = "text";
     CLI::App* const bench = app.add_subcommand("bench", "measure on this machine what a fit costs, by each engine");
@@ -58,8 +62,11 @@ void add_bench_command(CLI::App& app, int& exit_code) {
         ->add_option("--scaling", command->scaling,
                      "instead, plot costs against spectra, wavelengths, rays and free parameters into this folder")
         ->type_name("FOLDER");
-    bench->footer("Exit code 0: done; 2: bad input; 3: internal error.");
-    bench->callback([command, &exit_code] { exit_code = run(*command); });
+    add_examples(*bench,
+                 {"skinfit bench", "skinfit bench --spectra 20 --format json --out bench.json",
+                  "skinfit bench --scaling scaling"},
+                 "Exit code 0: done; 2: bad input; 3: internal error.");
+    bench->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 
 }  // namespace skinfit

@@ -8,24 +8,27 @@
 
 namespace skinfit {
 
-void add_config_command(CLI::App& app, int& exit_code) {
+void add_config_command(CLI::App& app, Session& session) {
     CLI::App* const config = app.add_subcommand("config", "show, check or describe configurations");
     config->require_subcommand(1);
-    config->add_subcommand("show", "print the full default configuration")->callback([&exit_code] {
+    config->add_subcommand("show", "print the full default configuration")->callback([&session] {
         write_stdout(json_text(to_json(default_configuration())));
-        exit_code = trustworthy_result;
+        session.exit_code = trustworthy_result;
     });
-    config->add_subcommand("schema", "print the JSON Schema of a configuration")->callback([&exit_code] {
+    config->add_subcommand("schema", "print the JSON Schema of a configuration")->callback([&session] {
         write_stdout(json_text(configuration_schema()));
-        exit_code = trustworthy_result;
+        session.exit_code = trustworthy_result;
     });
+    add_examples(*config->get_subcommand("show"), {"skinfit config show > settings.json"});
+    add_examples(*config->get_subcommand("schema"), {"skinfit config schema > schema.json"});
     CLI::App* const check = config->add_subcommand("check", "check a configuration file");
     const auto file = std::make_shared<std::string>();
-    check->add_option("FILE", *file, "JSON file")->required()->type_name("");
-    check->callback([file, &exit_code] {
+    check->add_option("FILE", *file, "JSON file")->required();
+    add_examples(*check, {"skinfit config check configs/ncsu_45_0.json"});
+    check->callback([file, &session] {
         check_configuration(configured_by_text(default_configuration(), read_file(*file), *file), *file);
         write_stdout(fmt::format("{}: good\n", *file));
-        exit_code = trustworthy_result;
+        session.exit_code = trustworthy_result;
     });
 }
 

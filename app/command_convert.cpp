@@ -1,4 +1,6 @@
 #include "app/commands.hpp"
+#include "app/measured_file.hpp"
+#include "app/progress_line.hpp"
 #include "app/region_options.hpp"
 #include "app/shared_options.hpp"
 #include "core/input_error.hpp"
@@ -26,33 +28,37 @@ std::string format_of(const ConvertCommand& command) {
 
 /// The spectra chosen, or all of them.
 std::vector<Spectrum> spectra_of(const ConvertCommand& command) {
-    const auto reader = command.reader.empty() ? std::nullopt : std::optional(command.reader);
+    MeasuredFiles measured(command.reader);
     ReadOptions options{.region = region_from(command.region)};
     if (!command.unit.empty()) options.unit = command.unit == "percent" ? Unit::percent : Unit::fraction;
-    if (command.columns.empty()) return read_spectra(command.file, options, reader).spectra;
+    if (command.columns.empty()) return measured.spectra(command.file, options).spectra;
     std::vector<Spectrum> chosen;
     for (const std::string& column : command.columns) {
         options.column = column;
-        chosen.push_back(read_spectra(command.file, options, reader).spectra.front());
+        chosen.push_back(measured.spectra(command.file, options).spectra.front());
     }
     return chosen;
 }
 
-int run(const ConvertCommand& command) {
+int run(const ConvertCommand& command, Session& session) {
     SharedOptions shared;
     shared.out = command.out;
-    check_output(shared, files_read(command.file, command.region));
+    if (!is_standard_input(command.file)) check_output(shared, files_read(command.file, command.region));
+    if (is_standard_input(command.file)) check_output(shared);
+    ProgressLine line(session, "reading");
     const std::vector<Spectrum> spectra = spectra_of(command);
+    line.end();
     write_output(shared, format_of(command) == "json" ? spectra_json(spectra) : spectra_csv(spectra, command.file));
     return trustworthy_result;
 }
 
 }  // namespace
 
-void add_convert_command(CLI::App& app, int& exit_code) {
+void add_convert_command(CLI::App& app, Session& session) {
     const auto command = std::make_shared<ConvertCommand>();
     CLI::App* const convert = app.add_subcommand("convert", "write the spectra of a file as CSV or JSON of one form");
-    convert->add_option("FILE", command->file, "spectra in any form that `skinfit fit` reads")->required();
+    convert->add_option("FILE", command->file, "spectra in any form that skinfit reads; - is standard input")
+        ->required();
     convert->add_option("--out", command->out, "write there instead of to the terminal")->type_name("FILE");
     convert->add_option("--format", command->format, "form of the output; by default that of --out's ending, else csv")
         ->check(CLI::IsMember({"csv", "json"}));
@@ -64,11 +70,14 @@ void add_convert_command(CLI::App& app, int& exit_code) {
         ->check(CLI::IsMember({"fraction", "percent"}));
     add_reader_option(*convert, command->reader);
     add_region_options(*convert, command->region);
-    convert->footer(
+    add_examples(
+        *convert,
+        {"skinfit convert measurements/data/ncsu_113.csv --out spectrum.json",
+         "skinfit convert - --unit fraction < measurements/data/ncsu_113.csv"},
         "Numbers are written so that they read back to the last bit. CSV holds spectra of the same wavelengths and "
         "the\n"
         "same description, without their repeats; JSON holds all.");
-    convert->callback([command, &exit_code] { exit_code = run(*command); });
+    convert->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 
 }  // namespace skinfit

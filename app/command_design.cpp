@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "core/input_error.hpp"
 #include "core/text.hpp"
@@ -32,7 +33,7 @@ std::string output(const Design& result, const std::string& format) {
     return format == "csv" ? design_csv(result) : design_text(result);
 }
 
-int run(const DesignCommand& command) {
+int run(const DesignCommand& command, Session& session) {
     Configuration configuration = configuration_from(command.shared);
     if (!command.wavelengths.empty()) {
         configuration = configured_by_word(configuration, "wavelengths", command.wavelengths, "--wavelengths");
@@ -42,15 +43,17 @@ int run(const DesignCommand& command) {
     const Parameter parameter = named_parameter(command.parameter);
     check_output(command.shared);
     const auto limit = thread_limit(command.shared);
-    const Design result =
-        design(configuration, {.parameter = parameter, .best = command.best, .cache = cache_from(command.shared)});
+    ProgressLine line(session, "designing");
+    const Design result = design(
+        configuration, {.parameter = parameter, .best = command.best, .cache = cache_from(command.shared, line)});
+    line.end();
     write_output(command.shared, output(result, command.shared.format));
     return trustworthy_result;
 }
 
 }  // namespace
 
-void add_design_command(CLI::App& app, int& exit_code) {
+void add_design_command(CLI::App& app, Session& session) {
     const auto command = std::make_shared<DesignCommand>();
     CLI::App* const design =
         app.add_subcommand("design", "plan a measurement: detection limits and the best wavelengths");
@@ -66,8 +69,11 @@ void add_design_command(CLI::App& app, int& exit_code) {
         ->expected(1)
         ->take_all();
     add_shared_options(*design, command->shared, {"text", "csv", "json"});
-    design->footer("Exit code 0: done; 2: bad input; 3: internal error.");
-    design->callback([command, &exit_code] { exit_code = run(*command); });
+    add_examples(*design,
+                 {"skinfit design bilirubin_g_per_l", "skinfit design bilirubin_g_per_l --best 6 --set noise=0.003",
+                  "skinfit design oxygen_saturation --wavelengths 450:650:5 --format csv"},
+                 "Exit code 0: done; 2: bad input; 3: internal error.");
+    design->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 
 }  // namespace skinfit

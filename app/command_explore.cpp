@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "app/commands.hpp"
+#include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "core/input_error.hpp"
 #include "explore/page.hpp"
@@ -27,34 +28,26 @@ void require_page() {
                       .remedy = "install nodejs and npm and build with -DSKINFIT_WEB=ON"});
 }
 
-/// Ctrl-C and the like, kept from every thread that starts afterwards so that one of them can wait for it.
-sigset_t blocked_signals() {
-    sigset_t signals;
-    sigemptyset(&signals);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&signals, signal);
-    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-    return signals;
-}
-
-int run(const ExploreCommand& command) {
+int run(const ExploreCommand& command, Session& session) {
     require_page();
-    const sigset_t signals = blocked_signals();
+    (void)session.interrupt.graceful("");
     const auto limit = thread_limit(command.shared);
-    Api api(cache_from(command.shared),
+    ProgressLine line(session, "reading");
+    Api api(cache_from(command.shared, line),
             command.file.empty() ? std::nullopt : std::optional(read_spectra(command.file)));
     Server server(api, command.port);
     write_stdout(server.url() + "\n");
-    fmt::print(stderr, "open this address in a browser of this machine; Ctrl-C ends the program\n");
+    line.end();
+    line.tell("open this address in a browser of this machine; Ctrl-C ends the program");
     std::jthread serving([&server] { server.run(); });
-    int signal = 0;
-    sigwait(&signals, &signal);
+    session.interrupt.wait();
     server.stop();
     return trustworthy_result;
 }
 
 }  // namespace
 
-void add_explore_command(CLI::App& app, int& exit_code) {
+void add_explore_command(CLI::App& app, Session& session) {
     const auto command = std::make_shared<ExploreCommand>();
     CLI::App* const explore =
         app.add_subcommand("explore", "play with the skin model in a browser: sliders, measured spectra, fits");
@@ -64,10 +57,11 @@ void add_explore_command(CLI::App& app, int& exit_code) {
         ->capture_default_str();
     explore->add_option("--threads", command->shared.threads, "at most so many")->check(CLI::Range(1, 1024));
     explore->add_flag("--no-cache", command->shared.no_cache, "do not keep or use recorded walks");
-    explore->footer(
+    add_examples(
+        *explore, {"skinfit explore", "skinfit explore measurements/data/ncsu_113.csv --port 8080"},
         "Prints the address of the page, which holds a secret: whoever has it on this machine can use the server.\n"
         "Exit code 0: ended by Ctrl-C; 2: bad input; 3: internal error.");
-    explore->callback([command, &exit_code] { exit_code = run(*command); });
+    explore->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 
 }  // namespace skinfit

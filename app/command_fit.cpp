@@ -3,8 +3,11 @@
 #include <algorithm>
 
 #include "app/commands.hpp"
+#include "app/measured_file.hpp"
+#include "app/progress_line.hpp"
 #include "app/region_options.hpp"
 #include "app/shared_options.hpp"
+#include "app/terminal.hpp"
 #include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "fit/configuration_json.hpp"
@@ -37,7 +40,6 @@ struct FitCommand {
     std::filesystem::path samples;
     std::filesystem::path report;
     std::filesystem::path plot;
-    std::string command_line;
 };
 
 Configuration fit_configuration(const FitCommand& command, const Configuration& defaults) {
@@ -58,6 +60,7 @@ Configuration fit_configuration(const FitCommand& command, const Configuration& 
 std::vector<std::filesystem::path> inputs(const FitCommand& command) {
     std::vector<std::filesystem::path> all;
     for (const std::string& file : command.files) {
+        if (is_standard_input(file)) continue;
         for (const std::filesystem::path& path : files_read(file, command.region)) all.push_back(path);
     }
     return all;
@@ -73,13 +76,19 @@ std::vector<Spectrum> read_all(const FitCommand& command, const Configuration& s
                           .why = "which column belongs to which file is not clear",
                           .remedy = "give one for each file, or one for all"});
     }
+    if (std::ranges::count_if(command.files, is_standard_input) > 1) {
+        throw InputError({.where = "FILE",
+                          .problem = "standard input twice",
+                          .why = "it can be read once",
+                          .remedy = "give - once, and name the columns of several spectra by --column"});
+    }
+    MeasuredFiles measured(command.reader);
     std::vector<Spectrum> spectra;
     for (std::size_t k = 0; k < std::max(files, columns); ++k) {
         const std::string& file = command.files[files == 1 ? 0 : k];
         ReadOptions options{.column = stated.column, .unit = stated.unit, .region = region_from(command.region)};
         if (columns > 1) options.column = command.columns[k];
-        spectra.push_back(
-            read_spectrum(file, options, command.reader.empty() ? std::nullopt : std::optional(command.reader)));
+        spectra.push_back(measured.spectrum(file, options));
     }
     return spectra;
 }
@@ -108,7 +117,40 @@ void check_samples(const FitCommand& command, const Configuration& configuration
                       .remedy = "add --uncertainty posterior"});
 }
 
-int run(const FitCommand& command) {
+/// The result, with a bar while it is looked for, and without one where Ctrl-C ends it.
+std::optional<FitResult> fitted(const FitCommand& command, const Configuration& configuration,
+                                const std::vector<Spectrum>& spectra, const std::vector<Finding>& findings,
+                                Session& session) {
+    ProgressLine line(session, "fitting");
+    const FitWatch watch{.stop = session.interrupt.graceful(""), .progress = [&line](const FitProgress& now) {
+                             line.show({.what = std::string(now.stage), .done = now.done, .total = now.total});
+                         }};
+    try {
+        return fit_spectra(configuration, spectra,
+                           {.cross_check = command.cross_check,
+                            .cache = cache_from(command.shared, line),
+                            .findings = findings,
+                            .watch = watch});
+    } catch (const FitCancelled&) {
+        line.end();
+        say_line("interrupted; there is no result yet, and nothing was written");
+        return std::nullopt;
+    }
+}
+
+void write_files(const FitCommand& command, const FitResult& result, const Session& session) {
+    if (!command.samples.empty()) {
+        std::vector<std::string> names;
+        for (const FittedParameter& free : result.free) names.push_back(free.name);
+        write_file_atomically(command.samples, samples_csv(*result.posterior, names));
+    }
+    if (!command.plot.empty()) write_file_atomically(command.plot, fit_picture(result.spectra, command.plot));
+    if (!command.report.empty()) {
+        write_file_atomically(command.report, html_report(result, {.command_line = session.command_line}));
+    }
+}
+
+int run(const FitCommand& command, Session& session) {
     const Configuration stated = fit_configuration(command, default_configuration());
     check_outputs(command);
     const std::vector<Spectrum> spectra = read_all(command, stated);
@@ -119,32 +161,22 @@ int run(const FitCommand& command) {
     const std::vector<Finding> findings = findings_before_fit(configuration, spectra);
     if (command.strict) refuse_warnings(findings, spectra.front().source);
     const auto limit = thread_limit(command.shared);
-    const FitResult result =
-        fit_spectra(configuration, spectra,
-                    {.cross_check = command.cross_check, .cache = cache_from(command.shared), .findings = findings});
-    if (!command.samples.empty()) {
-        std::vector<std::string> names;
-        for (const FittedParameter& free : result.free) names.push_back(free.name);
-        write_file_atomically(command.samples, samples_csv(*result.posterior, names));
-    }
-    if (!command.plot.empty()) write_file_atomically(command.plot, fit_picture(result.spectra, command.plot));
-    if (!command.report.empty()) {
-        write_file_atomically(command.report, html_report(result, {.command_line = command.command_line}));
-    }
+    const std::optional<FitResult> result = fitted(command, configuration, spectra, findings, session);
+    if (!result) return session.interrupt.exit_code();
+    write_files(command, *result, session);
     write_output(command.shared,
-                 command.shared.format == "json" ? json_text(json_report(result)) : text_report(result));
-    return result.verdict == Verdict::trustworthy ? trustworthy_result : result_with_warning;
+                 command.shared.format == "json" ? json_text(json_report(*result)) : text_report(*result));
+    return result->verdict == Verdict::trustworthy ? trustworthy_result : result_with_warning;
 }
 
 }  // namespace
 
-void add_fit_command(CLI::App& app, int& exit_code, const std::string& command_line) {
+void add_fit_command(CLI::App& app, Session& session) {
     const auto command = std::make_shared<FitCommand>();
-    command->command_line = command_line;
     CLI::App* const fit = app.add_subcommand("fit", "explain a measured spectrum by skin biology");
-    fit->add_option(
-           "FILE", command->files,
-           "spectrum: text of columns or rows, JCAMP-DX, CGATS (.ti3), JSON or ENVI; several are explained together")
+    fit->add_option("FILE", command->files,
+                    "spectrum: text of columns or rows, JCAMP-DX, CGATS (.ti3), JSON or ENVI; - is standard input; "
+                    "several are explained together")
         ->required();
     fit->add_option(
            "--column", command->columns,
@@ -155,7 +187,7 @@ void add_fit_command(CLI::App& app, int& exit_code, const std::string& command_l
         ->take_all();
     add_reader_option(*fit, command->reader);
     add_region_options(*fit, command->region);
-    fit->add_option("--unit", command->unit, "of the values: fraction or percent; found by a rule otherwise");
+    fit->add_option("--unit", command->unit, "of the values; found by a rule otherwise")->type_name("fraction|percent");
     fit->add_option("--free", command->free, "adjust these parameters too; `skinfit config show` lists their names")
         ->type_name("NAME,NAME")
         ->expected(1)
@@ -167,7 +199,8 @@ void add_fit_command(CLI::App& app, int& exit_code, const std::string& command_l
         ->expected(1)
         ->take_all();
     fit->add_option("--uncertainty", command->uncertainty,
-                    "what intervals come from: covariance, profile (right at bounds) or posterior");
+                    "what intervals come from: covariance, profile (right at bounds) or posterior")
+        ->type_name("covariance|profile|posterior");
     fit->add_option("--samples", command->samples, "write the draws of the posterior there, as CSV")->type_name("FILE");
     fit->add_option("--report", command->report, "write the whole result there as one self-contained HTML page")
         ->type_name("FILE");
@@ -175,12 +208,20 @@ void add_fit_command(CLI::App& app, int& exit_code, const std::string& command_l
                     "draw measured and modelled spectrum with residuals there, as .svg, .png or .pdf")
         ->type_name("FILE");
     fit->add_option("--solver", command->solver,
-                    "ceres (exact derivatives), slsqp (the same), bobyqa, sbplx (none), crs2 (global)");
+                    "ceres and slsqp use exact derivatives, bobyqa and sbplx none; crs2 searches everywhere")
+        ->type_name("ceres|slsqp|bobyqa|sbplx|crs2");
     fit->add_flag("--strict", command->strict, "refuse a spectrum with warnings; `skinfit inspect` shows them");
     fit->add_flag("--cross-check", command->cross_check, "fit by the other solvers too and compare");
     add_shared_options(*fit, command->shared, {"text", "json"});
-    fit->footer("Exit code 0: trustworthy; 1: a result with a warning; 2: bad input; 3: internal error.");
-    fit->callback([command, &exit_code] { exit_code = run(*command); });
+    add_examples(
+        *fit,
+        {"skinfit fit measurements/data/ncsu_113.csv",
+         "skinfit fit measurements/data/ncsu_113.csv --set 'discrepancy={}' --report fit.html --plot fit.png",
+         "skinfit fit measurements/data/ncsu_113.csv --free scale --fix bilirubin_g_per_l --format json --out fit.json",
+         "skinfit fit measurements/data/ncsu_113.csv --set engine=emulator --uncertainty profile",
+         "skinfit simulate --set melanosome_fraction=0.03 | skinfit fit - --column reflectance"},
+        "Exit code 0: trustworthy; 1: a result with a warning; 2: bad input; 3: internal error.");
+    fit->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 
 }  // namespace skinfit

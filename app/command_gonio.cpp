@@ -6,6 +6,7 @@
 #include <map>
 
 #include "app/commands.hpp"
+#include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "core/input_error.hpp"
 #include "fit/configuration_json.hpp"
@@ -97,7 +98,19 @@ std::vector<int> compared_bins(const AngularBins& bins) {
     return polar_bins;
 }
 
-std::string measure(const GonioCommand& command, GoniophotometerRun& run) {
+/// The counts of all wavelengths, one after the other: the rays of each follow those of the one before.
+std::vector<AngularCounts> counted(const Sample& sample, const std::vector<double>& wavelengths_nm,
+                                   GoniophotometerOptions options, ProgressLine& line) {
+    std::vector<AngularCounts> counts;
+    for (const double wavelength_nm : wavelengths_nm) {
+        line.show({.what = "following rays", .done = counts.size(), .total = wavelengths_nm.size()});
+        counts.push_back(goniophotometer(sample, {wavelength_nm}, options).front());
+        options.first_ray += options.rays;
+    }
+    return counts;
+}
+
+std::string measure(const GonioCommand& command, GoniophotometerRun& run, ProgressLine& line) {
     const Experiment experiment = make_experiment(run.configuration, {});
     const GoniophotometerOptions options{.incidence = {experiment.incidence_rad, experiment.incidence_rad},
                                          .rays = run.configuration.rays,
@@ -110,11 +123,11 @@ std::string measure(const GonioCommand& command, GoniophotometerRun& run) {
                               compared_bins(run.spectrum.bins), options);
         return json ? reciprocity_json(pairs, run).dump(2) + "\n" : reciprocity_csv(pairs, run);
     }
-    run.spectrum.counts = goniophotometer(experiment.sample(), run.wavelengths_nm, options);
+    run.spectrum.counts = counted(experiment.sample(), run.wavelengths_nm, options, line);
     return json ? goniophotometer_json(run).dump(2) + "\n" : goniophotometer_csv(run);
 }
 
-int run(const GonioCommand& command) {
+int run(const GonioCommand& command, Session& session) {
     GoniophotometerRun run;
     run.configuration = gonio_configuration(command);
     run.wavelengths_nm = parse_wavelengths(run.configuration.wavelengths, "wavelengths");
@@ -127,13 +140,16 @@ int run(const GonioCommand& command) {
     (void)extinctions(run.wavelengths_nm, run.configuration.edition);  // refuses wavelengths outside the tables
     check_output(command.shared);
     const auto limit = thread_limit(command.shared);
-    write_output(command.shared, measure(command, run));
+    ProgressLine line(session, "following rays");
+    const std::string text = measure(command, run, line);
+    line.end();
+    write_output(command.shared, text);
     return trustworthy_result;
 }
 
 }  // namespace
 
-void add_gonio_command(CLI::App& app, int& exit_code) {
+void add_gonio_command(CLI::App& app, Session& session) {
     const auto command = std::make_shared<GonioCommand>();
     CLI::App* const gonio = app.add_subcommand("gonio", "compute the BRDF (and BTDF) of a described skin");
     gonio->add_option("--wavelengths", command->wavelengths,
@@ -157,7 +173,11 @@ void add_gonio_command(CLI::App& app, int& exit_code) {
     gonio->add_flag("--reciprocity", command->reciprocity,
                     "compare both ways between pairs of directions, which the model does not promise to be equal");
     add_shared_options(*gonio, command->shared, {"csv", "json"});
-    gonio->callback([command, &exit_code] { exit_code = run(*command); });
+    add_examples(*gonio,
+                 {"skinfit gonio --rays 100000", "skinfit gonio --illuminant d65_v --rays 20000 --out brdf.csv",
+                  "skinfit gonio --wavelengths 633 --set incidence_deg=45 --part surface --rays 100000 --format json"},
+                 "Exit code 0: done; 2: bad input; 3: internal error.");
+    gonio->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 
 }  // namespace skinfit

@@ -1,4 +1,6 @@
 #include "app/commands.hpp"
+#include "app/measured_file.hpp"
+#include "app/progress_line.hpp"
 #include "app/region_options.hpp"
 #include "app/shared_options.hpp"
 #include "fit/configuration_json.hpp"
@@ -11,7 +13,7 @@ namespace {
 
 struct InspectCommand {
     SharedOptions output;
-    std::filesystem::path file;
+    std::string file;
     std::string reader;
     RegionOptions region;
     std::string unit;
@@ -27,24 +29,30 @@ ReadOptions read_options(const InspectCommand& command) {
     return options;
 }
 
+std::vector<std::filesystem::path> files_to_read(const InspectCommand& command) {
+    if (is_standard_input(command.file)) return {};
+    return files_read(command.file, command.region);
+}
+
 void check_plot(const InspectCommand& command) {
     if (command.plot.empty()) return;
     (void)gnuplot_terminal(command.plot, {.width = 1, .height = 1});  // refuses an unknown suffix before the work
     SharedOptions plot = command.output;
     plot.out = command.plot;
-    std::vector<std::filesystem::path> others = files_read(command.file, command.region);
+    std::vector<std::filesystem::path> others = files_to_read(command);
     others.push_back(command.output.out);
     check_output(plot, others);
 }
 
-int run(const InspectCommand& command) {
+int run(const InspectCommand& command, Session& session) {
     const ReadOptions options = read_options(command);
-    check_output(command.output, files_read(command.file, command.region));
+    check_output(command.output, files_to_read(command));
     check_plot(command);
-    const Inspection inspection = inspected(
-        read_spectra(command.file, options, command.reader.empty() ? std::nullopt : std::optional(command.reader)));
+    ProgressLine line(session, "reading");
+    const Inspection inspection = inspected(MeasuredFiles(command.reader).spectra(command.file, options));
+    line.end();
     if (!command.plot.empty()) {
-        draw_spectra(inspection.file.spectra, command.file.filename().string(), command.plot);
+        draw_spectra(inspection.file.spectra, std::filesystem::path(command.file).filename().string(), command.plot);
     }
     write_output(command.output, command.output.format == "json" ? json_text(inspection_json(inspection))
                                                                  : inspection_text(inspection));
@@ -54,23 +62,29 @@ int run(const InspectCommand& command) {
 
 }  // namespace
 
-void add_inspect_command(CLI::App& app, int& exit_code) {
+void add_inspect_command(CLI::App& app, Session& session) {
     const auto command = std::make_shared<InspectCommand>();
     command->output.format = "text";
     CLI::App* const inspect =
         app.add_subcommand("inspect", "show what a measured file holds and what is wrong with its spectra");
-    inspect->add_option("FILE", command->file, "spectra, in any form that skinfit reads")->required()->type_name("");
+    inspect->add_option("FILE", command->file, "spectra, in any form that skinfit reads; - is standard input")
+        ->required();
     add_reader_option(*inspect, command->reader);
     add_region_options(*inspect, command->region);
-    inspect->add_option("--unit", command->unit, "of the values: fraction or percent; found by a rule otherwise");
+    inspect->add_option("--unit", command->unit, "of the values; found by a rule otherwise")
+        ->type_name("fraction|percent");
     inspect->add_option("--plot", command->plot, "draw the spectra there, as .svg, .png or .pdf")->type_name("FILE");
     inspect->add_flag("--strict", command->strict, "make warnings errors: exit code 2 where there are any");
     inspect->add_option("--format", command->output.format, "form of the output")
         ->check(CLI::IsMember({"text", "json"}))
         ->capture_default_str();
     inspect->add_option("--out", command->output.out, "write there instead of to the terminal")->type_name("FILE");
-    inspect->footer("Exit code 0: done; 2: bad input, or warnings with --strict; 3: internal error.");
-    inspect->callback([command, &exit_code] { exit_code = run(*command); });
+    add_examples(*inspect,
+                 {"skinfit inspect measurements/data/ncsu_113.csv",
+                  "skinfit inspect measurements/data/ncsu_113.csv --plot spectrum.png",
+                  "skinfit inspect measurements/data/ncsu_113.csv --format json"},
+                 "Exit code 0: done; 2: bad input, or warnings with --strict; 3: internal error.");
+    inspect->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 
 }  // namespace skinfit

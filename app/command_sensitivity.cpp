@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/plot.hpp"
@@ -27,11 +28,13 @@ Configuration sensitivity_configuration(const SensitivityCommand& command) {
     return with_free_and_fixed(configuration, command.free, command.fix);
 }
 
-int run(const SensitivityCommand& command) {
+int run(const SensitivityCommand& command, Session& session) {
     const Configuration configuration = sensitivity_configuration(command);
     check_output(command.shared);
     const auto limit = thread_limit(command.shared);
+    ProgressLine line(session, "computing derivatives");
     const Sensitivity result = sensitivity(configuration);
+    line.end();
     const Derivative derivative = command.relative ? Derivative::relative : Derivative::per_unit;
     if (!command.plot.empty()) draw(sensitivity_plot(result), command.plot);
     write_output(command.shared, command.shared.format == "json" ? json_text(sensitivity_json(result, derivative))
@@ -41,12 +44,13 @@ int run(const SensitivityCommand& command) {
 
 }  // namespace
 
-void add_sensitivity_command(CLI::App& app, int& exit_code) {
+void add_sensitivity_command(CLI::App& app, Session& session) {
     const auto command = std::make_shared<SensitivityCommand>();
     CLI::App* const sensitivity =
         app.add_subcommand("sensitivity", "compute how the reading answers to each parameter, by wavelength");
     sensitivity->add_option("--wavelengths", command->wavelengths, "nm: first:last:step as in 400:700:20, or a list");
-    sensitivity->add_option("--quantity", command->quantity, "reflectance (as without it) or transmittance");
+    sensitivity->add_option("--quantity", command->quantity, "reflectance where it is not given")
+        ->type_name("reflectance|transmittance");
     sensitivity->add_flag("--relative", command->relative,
                           "each derivative times the value of its parameter, instead of per unit");
     sensitivity->add_option("--plot", command->plot, "draw value x derivative of the free parameters: .svg, .png, .pdf")
@@ -60,8 +64,12 @@ void add_sensitivity_command(CLI::App& app, int& exit_code) {
         ->expected(1)
         ->take_all();
     add_shared_options(*sensitivity, command->shared, {"csv", "json"});
-    sensitivity->footer("Exit code 0: done; 2: bad input; 3: internal error.");
-    sensitivity->callback([command, &exit_code] { exit_code = run(*command); });
+    add_examples(
+        *sensitivity,
+        {"skinfit sensitivity --wavelengths 400:700:10", "skinfit sensitivity --relative --plot sensitivity.svg",
+         "skinfit sensitivity --quantity transmittance --set base=matched --format json"},
+        "Exit code 0: done; 2: bad input; 3: internal error.");
+    sensitivity->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 
 }  // namespace skinfit

@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/emulation.hpp"
@@ -31,9 +32,22 @@ Configuration simulate_configuration(const SimulateCommand& command) {
     return configuration;
 }
 
+/// By the analog walk, whose rays are the same at every wavelength.
+std::vector<Reading> walked_readings(const Configuration& configuration, const Experiment& experiment,
+                                     const std::vector<double>& wavelengths_nm, ProgressLine& line) {
+    std::vector<Reading> readings;
+    for (const double wavelength_nm : wavelengths_nm) {
+        line.show({.what = "following rays", .done = readings.size(), .total = wavelengths_nm.size()});
+        const std::vector<Reading> one =
+            read_by_walk(experiment, {wavelength_nm}, configuration.rays, configuration.seed);
+        readings.push_back(one.front());
+    }
+    return readings;
+}
+
 /// At single wavelengths.
 std::vector<Reading> modelled_readings(const Configuration& configuration, const std::vector<double>& wavelengths_nm,
-                                       const EnsembleCache& cache) {
+                                       const EnsembleCache& cache, ProgressLine& line) {
     check_viewing_cone(resolved(configuration, Spectrum{}));
     const Experiment experiment = make_experiment(configuration, {});
     const std::vector<double> true_nm = true_wavelengths_nm(experiment, wavelengths_nm);
@@ -49,7 +63,7 @@ std::vector<Reading> modelled_readings(const Configuration& configuration, const
                                 bottom);
     }
     if (configuration.engine == Engine::walk) {
-        return read_by_walk(experiment, wavelengths_nm, configuration.rays, configuration.seed);
+        return walked_readings(configuration, experiment, wavelengths_nm, line);
     }
     return read_by_paths(
         experiment, wavelengths_nm,
@@ -59,17 +73,19 @@ std::vector<Reading> modelled_readings(const Configuration& configuration, const
             cache));
 }
 
-std::vector<Reading> readings(const Configuration& configuration, const EnsembleCache& cache) {
+std::vector<Reading> readings(const Configuration& configuration, const EnsembleCache& cache, ProgressLine& line) {
     const std::vector<double> centres_nm = parse_wavelengths(configuration.wavelengths, "wavelengths");
     const BandSampling bands = sample_bands(centres_nm, bandpass_of(resolved(configuration, Spectrum{})));
-    return readings_in_bands(modelled_readings(configuration, bands.wavelength_nm, cache), bands, centres_nm);
+    return readings_in_bands(modelled_readings(configuration, bands.wavelength_nm, cache, line), bands, centres_nm);
 }
 
-int run(const SimulateCommand& command) {
+int run(const SimulateCommand& command, Session& session) {
     const Configuration configuration = simulate_configuration(command);
     check_output(command.shared);
     const auto limit = thread_limit(command.shared);
-    const std::vector<Reading> spectrum = readings(configuration, cache_from(command.shared));
+    ProgressLine line(session, "computing the spectrum");
+    const std::vector<Reading> spectrum = readings(configuration, cache_from(command.shared, line), line);
+    line.end();
     write_output(command.shared, command.shared.format == "json" ? json_text(simulation_json(spectrum, configuration))
                                                                  : simulation_csv(spectrum, configuration));
     return trustworthy_result;
@@ -77,18 +93,23 @@ int run(const SimulateCommand& command) {
 
 }  // namespace
 
-void add_simulate_command(CLI::App& app, int& exit_code) {
+void add_simulate_command(CLI::App& app, Session& session) {
     const auto command = std::make_shared<SimulateCommand>();
     CLI::App* const simulate = app.add_subcommand("simulate", "compute the spectrum of a described skin");
-    simulate->add_option(
-        "--engine", command->engine,
-        "paths (recorded walks), walk (analog), solver (no noise) or emulator (the solver's, fastest)");
+    simulate
+        ->add_option(
+            "--engine", command->engine,
+            "recorded walks, the analog walk of the paper, the angular solver (no noise) or its emulator (the fastest)")
+        ->type_name("paths|walk|solver|emulator");
     simulate->add_option("--wavelengths", command->wavelengths, "nm: first:last:step as in 400:700:20, or a list");
     simulate->add_option("--rays", command->rays, "per wavelength");
     simulate->add_option("--seed", command->seed, "of the random numbers");
     add_shared_options(*simulate, command->shared, {"csv", "json"});
-    simulate->footer("Exit code 0: done; 2: bad input; 3: internal error.");
-    simulate->callback([command, &exit_code] { exit_code = run(*command); });
+    add_examples(*simulate,
+                 {"skinfit simulate", "skinfit simulate --engine solver --wavelengths 400:700:5 --out skin.csv",
+                  "skinfit simulate --set melanosome_fraction=0.25 --set oxygen_saturation=0.6 --format json"},
+                 "Exit code 0: done; 2: bad input; 3: internal error.");
+    simulate->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 
 }  // namespace skinfit

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/commands.hpp"
+#include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "app/study_options.hpp"
 #include "core/input_error.hpp"
@@ -24,14 +25,14 @@ struct StudyResultCommand {
     std::filesystem::path plot;
 };
 
-int status_it(const StudyResultCommand& command) {
+int status_it(const StudyResultCommand& command, Session& /*session*/) {
     const Study study = read_study(command.shared.study);
     const StudyCounts counts = counts_of(Ledger(ledger_of(command.shared, study), Ledger::Access::read));
     write_stdout(command.shared.format == "json" ? json_text(status_json(counts)) : status_text(counts));
     return exit_code_of(counts);
 }
 
-int export_it(const StudyResultCommand& command) {
+int export_it(const StudyResultCommand& command, Session& session) {
     const Study study = read_study(command.shared.study);
     SharedOptions output;
     output.out = command.out;
@@ -39,20 +40,25 @@ int export_it(const StudyResultCommand& command) {
     for (const StudyFile& file : study.files) inputs.push_back(file.path);
     check_output(output, inputs);
     const Ledger ledger(ledger_of(command.shared, study), Ledger::Access::read);
+    ProgressLine line(session, "reading the ledger");
     const std::vector<AnsweredRow> rows = answered(study, ledger.rows());
-    write_output(output, command.shared.format == "json" ? json_text(results_json(study, ledger, rows))
-                                                         : study_csv(study, rows));
+    const std::string text =
+        command.shared.format == "json" ? json_text(results_json(study, ledger, rows)) : study_csv(study, rows);
+    line.end();
+    write_output(output, text);
     return trustworthy_result;
 }
 
-int report_it(const StudyResultCommand& command) {
+int report_it(const StudyResultCommand& command, Session& session) {
     const Study study = read_study(command.shared.study);
     const Ledger ledger(ledger_of(command.shared, study), Ledger::Access::read);
     SharedOptions output;
     output.out = command.out.empty() ? study.output / "report.html" : command.out;
     check_output(output, {command.shared.study, ledger.path()});
+    ProgressLine line(session, "drawing the report");
     write_output(output, study_page(study, results_of(study, ledger)));
-    fmt::print(stderr, "wrote {}\n", output.out.string());
+    line.end();
+    line.tell(fmt::format("wrote {}", output.out.string()));
     return trustworthy_result;
 }
 
@@ -71,13 +77,14 @@ std::vector<std::size_t> subjects_of(const StudyResultCommand& command) {
     return subjects;
 }
 
-int power_it(const StudyResultCommand& command) {
+int power_it(const StudyResultCommand& command, Session& session) {
     const Study study = read_study(command.shared.study);
     const PowerQuestion question{.quantity = command.quantity,
                                  .subjects = subjects_of(command),
                                  .power = command.power,
                                  .repeats = command.repeats};
     const Ledger ledger(ledger_of(command.shared, study), Ledger::Access::read);
+    ProgressLine line(session, "computing");
     const PowerAnswer answer = power_answer(study, answered(study, ledger.rows()), question);
     if (!command.plot.empty()) {
         draw(power_figure({{.name = fmt::format("{} per subject", command.repeats), .design = answer.design}},
@@ -85,39 +92,45 @@ int power_it(const StudyResultCommand& command) {
                           {.name = command.quantity, .unit = unit_of(command.quantity)}),
              command.plot);
     }
+    line.end();
     write_stdout(command.shared.format == "json" ? json_text(power_json(answer)) : power_text(answer));
     return trustworthy_result;
 }
 
 }  // namespace
 
-void add_study_status_command(CLI::App& study, int& exit_code) {
+void add_study_status_command(CLI::App& study, Session& session) {
     const auto status = std::make_shared<StudyResultCommand>();
     CLI::App* const status_app =
         add_study_subcommand(study, status->shared, "status", "count fitted, suspect, rejected, failed and pending");
     add_study_formats(*status_app, status->shared, {"text", "json"});
-    status_app->callback([status, &exit_code] { exit_code = status_it(*status); });
+    add_examples(*status_app, {"skinfit study status configs/study_example.json"},
+                 "Exit code 0: every spectrum is fitted; 1: some are not; 2: bad input; 3: internal error.");
+    status_app->callback([status, &session] { session.exit_code = status_it(*status, session); });
 }
 
-void add_study_export_command(CLI::App& study, int& exit_code) {
+void add_study_export_command(CLI::App& study, Session& session) {
     const auto exported = std::make_shared<StudyResultCommand>();
     CLI::App* const export_app =
         add_study_subcommand(study, exported->shared, "export", "write the results as a table or as JSON");
     add_study_formats(*export_app, exported->shared, {"csv", "json"});
     export_app->add_option("--out", exported->out, "write there instead of to the terminal")->type_name("FILE");
-    export_app->callback([exported, &exit_code] { exit_code = export_it(*exported); });
+    add_examples(*export_app, {"skinfit study export configs/study_example.json --out results.csv",
+                               "skinfit study export configs/study_example.json --format json"});
+    export_app->callback([exported, &session] { session.exit_code = export_it(*exported, session); });
 }
 
-void add_study_report_command(CLI::App& study, int& exit_code) {
+void add_study_report_command(CLI::App& study, Session& session) {
     const auto report = std::make_shared<StudyResultCommand>();
     CLI::App* const report_app =
         add_study_subcommand(study, report->shared, "report", "write a page with tables and plots");
     report_app->add_option("--out", report->out, "write there instead of to report.html in the output folder")
         ->type_name("FILE");
-    report_app->callback([report, &exit_code] { exit_code = report_it(*report); });
+    add_examples(*report_app, {"skinfit study report configs/study_example.json --out report.html"});
+    report_app->callback([report, &session] { session.exit_code = report_it(*report, session); });
 }
 
-void add_study_power_command(CLI::App& study, int& exit_code) {
+void add_study_power_command(CLI::App& study, Session& session) {
     const auto power = std::make_shared<StudyResultCommand>();
     CLI::App* const power_app =
         add_study_subcommand(study, power->shared, "power", "what difference between two groups such spectra can show");
@@ -134,7 +147,9 @@ void add_study_power_command(CLI::App& study, int& exit_code) {
     power_app->add_option("--plot", power->plot, "draw detectable differences there, .svg, .png or .pdf")
         ->type_name("FILE");
     add_study_formats(*power_app, power->shared, {"text", "json"});
-    power_app->callback([power, &exit_code] { exit_code = power_it(*power); });
+    add_examples(*power_app, {"skinfit study power configs/study_example.json --quantity melanosome_fraction "
+                              "--subjects 10,20,50 --plot power.svg"});
+    power_app->callback([power, &session] { session.exit_code = power_it(*power, session); });
 }
 
 }  // namespace skinfit

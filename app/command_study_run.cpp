@@ -3,8 +3,6 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <memory>
 
 #include "app/commands.hpp"
@@ -24,7 +22,6 @@ struct StudyRunCommand {
     std::vector<std::string> parts;
     int jobs = 0;
     bool no_cache = false;
-    bool quiet = false;
     bool verbose = false;
 };
 
@@ -59,14 +56,9 @@ int usable_processors() {
     return std::max(1, CPU_COUNT(&set));
 }
 
-std::atomic<bool> interrupted = false;
-
-/// The first Ctrl-C ends the run when what has begun is stored; the second one at once.
-void end_on_interrupt() {
-    std::signal(SIGINT, [](int) {
-        interrupted = true;
-        std::signal(SIGINT, SIG_DFL);
-    });
+/// What the log of a batch job gets.
+ProgressLine::Log log_of(const StudyRunCommand& command) {
+    return command.verbose ? ProgressLine::Log::often : ProgressLine::Log::now_and_then;
 }
 
 Progress shown(const StudyProgress& progress) {
@@ -76,9 +68,9 @@ Progress shown(const StudyProgress& progress) {
     if (progress.pixels_to_do > 0) {
         what += fmt::format("{}{}/{} pixels", what.empty() ? "" : ", ", progress.pixels, progress.pixels_to_do);
     }
-    return {.done = progress.spectra * pixels_per_spectrum + progress.pixels,
+    return {.what = what,
+            .done = progress.spectra * pixels_per_spectrum + progress.pixels,
             .total = progress.spectra_to_do * pixels_per_spectrum + progress.pixels_to_do,
-            .what = what,
             .count = progress.spectra + progress.pixels,
             .unit = progress.pixels_to_do == 0 ? "spectra" : (progress.spectra_to_do == 0 ? "pixels" : "fits")};
 }
@@ -88,19 +80,18 @@ StudyRunOptions options_of(const StudyRunCommand& command, const Study& study, P
     cache.no_cache = command.no_cache;
     StudyRunOptions options;
     options.jobs = command.jobs > 0 ? command.jobs : usable_processors();
-    options.cache = cache_from(cache);
+    options.cache = cache_from(cache, line);
     if (!command.part.empty()) options.part = part_of(command);
     options.ledger = ledger_of(command.shared, study);
     options.progress = [&line](const StudyProgress& progress) { line.show(shown(progress)); };
     options.tell = [&line](const std::string& text) { line.tell(text); };
-    options.stop = [] { return interrupted.load(); };
     return options;
 }
 
-int finished(const StudyRunCommand& command, const Study& study, const StudyRun& run) {
+int finished(const StudyRunCommand& command, const Study& study, const StudyRun& run, const Session& session) {
     const Ledger ledger(ledger_of(command.shared, study), Ledger::Access::read);
     const StudyCounts counts = counts_of(ledger);
-    if (!command.quiet) {
+    if (!session.quiet) {
         if (run.left_out > 0)
             fmt::print(stderr, "{} spectra left out: their names are not the study's\n", run.left_out);
         if (run.stopped) fmt::print(stderr, "stopped; run it again to go on\n");
@@ -110,58 +101,67 @@ int finished(const StudyRunCommand& command, const Study& study, const StudyRun&
     return exit_code_of(counts);
 }
 
-int run_it(const StudyRunCommand& command) {
+int run_it(const StudyRunCommand& command, Session& session) {
     check_part(command);
     const Study study = read_study(command.shared.study);
-    ProgressLine line({.quiet = command.quiet, .verbose = command.verbose});
-    const StudyRunOptions options = options_of(command, study, line);
-    end_on_interrupt();
+    ProgressLine line(session, "planning", log_of(command));
+    StudyRunOptions options = options_of(command, study, line);
+    const std::stop_token stop =
+        session.interrupt.graceful("interrupted; what has begun is stored first, Ctrl-C again ends at once");
+    options.stop = [&stop] { return stop.stop_requested(); };
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(options.jobs));
     const std::optional<StudyRun> run = run_study_together(study, options);
     if (!run) return trustworthy_result;  // the process that leads says the rest
     line.end();
-    const int exit_code = finished(command, study, *run);
+    const int exit_code = finished(command, study, *run, session);
     // Launchers take any other code of one process for a failure of all.
     return launched_processes() == 1 ? exit_code : trustworthy_result;
 }
 
-int merge_it(const StudyRunCommand& command) {
+int merge_it(const StudyRunCommand& command, Session& session) {
     const Study study = read_study(command.shared.study);
-    ProgressLine line({.quiet = command.quiet, .verbose = command.verbose});
-    const StudyRunOptions options = options_of(command, study, line);
-    return finished(command, study, merge_study(study, {command.parts.begin(), command.parts.end()}, options));
+    ProgressLine line(session, "merging", log_of(command));
+    StudyRunOptions options = options_of(command, study, line);
+    options.stop = [] { return false; };
+    const StudyRun run = merge_study(study, {command.parts.begin(), command.parts.end()}, options);
+    line.end();
+    return finished(command, study, run, session);
 }
 
-void add_run_options(CLI::App& sub, const std::shared_ptr<StudyRunCommand>& command) {
+void add_run_options(CLI::App& sub, const std::shared_ptr<StudyRunCommand>& command, Session& session) {
     sub.add_option("--jobs", command->jobs, "threads; as many as the machine has by default")
         ->check(CLI::Range(1, 1024));
     sub.add_flag("--no-cache", command->no_cache, "do not keep or use recorded walks");
-    auto* const quiet = sub.add_flag("--quiet", command->quiet, "print nothing but errors");
+    auto* const quiet = sub.add_flag("--quiet", session.quiet, "print nothing but errors");
     sub.add_flag("--verbose", command->verbose, "say more often how far it is")->excludes(quiet);
 }
 
 }  // namespace
 
-void add_study_run_command(CLI::App& study, int& exit_code) {
+void add_study_run_command(CLI::App& study, Session& session) {
     const auto run = std::make_shared<StudyRunCommand>();
     CLI::App* const run_app =
         add_study_subcommand(study, run->shared, "run", "fit whatever has not been fitted; go on where it ended");
     run_app->add_option("--part", run->part, "only this share of the study, as in 2/10")->type_name("K/N");
-    add_run_options(*run_app, run);
-    run_app->footer(
+    add_run_options(*run_app, run, session);
+    add_examples(
+        *run_app,
+        {"skinfit study run configs/study_example.json",
+         "skinfit study run configs/study_example.json --part 1/2 --ledger part_1.sqlite"},
         "Exit code 0: every spectrum is fitted; 1: some are suspect, rejected, failed or pending; 2: bad input; 3: "
         "internal error. Under mpirun 0 stands for 1 too.");
-    run_app->callback([run, &exit_code] { exit_code = run_it(*run); });
+    run_app->callback([run, &session] { session.exit_code = run_it(*run, session); });
 }
 
-void add_study_merge_command(CLI::App& study, int& exit_code) {
+void add_study_merge_command(CLI::App& study, Session& session) {
     const auto merge = std::make_shared<StudyRunCommand>();
     CLI::App* const merge_app =
         add_study_subcommand(study, merge->shared, "merge", "bring the ledgers of parts together");
     merge_app->add_option("LEDGER", merge->parts, "ledgers of parts, from `skinfit study run --part`")->required();
-    add_run_options(*merge_app, merge);
-    merge_app->callback([merge, &exit_code] { exit_code = merge_it(*merge); });
+    add_run_options(*merge_app, merge, session);
+    add_examples(*merge_app, {"skinfit study merge configs/study_example.json part_1.sqlite"});
+    merge_app->callback([merge, &session] { session.exit_code = merge_it(*merge, session); });
 }
 
 }  // namespace skinfit

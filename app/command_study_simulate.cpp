@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/commands.hpp"
+#include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "core/file.hpp"
 #include "fit/configuration_json.hpp"
@@ -46,21 +47,23 @@ std::string summary(const Cohort& cohort, const SimulatedCohort& simulated, cons
     return text + fmt::format("written to {}: spectra.csv, manifest.csv, cohort.json, study.json\n", folder.string());
 }
 
-int run(const StudySimulateCommand& command) {
+int run(const StudySimulateCommand& command, Session& session) {
     const Cohort cohort = cohort_of(command);
     make_output_folder(command.output);
     const bool replaces = holds_earlier_cohort(command.output, command.cohort);
     const auto limit = thread_limit(command.shared);
-    const SimulatedCohort simulated = simulate(cohort, cache_from(command.shared));
+    ProgressLine line(session, "simulating");
+    const SimulatedCohort simulated = simulate(cohort, cache_from(command.shared, line));
     write_cohort(cohort, simulated, command.output);
-    if (replaces) fmt::print(stderr, "note: replaced the earlier cohort in {}\n", command.output.string());
+    line.end();
+    if (replaces) line.tell(fmt::format("note: replaced the earlier cohort in {}", command.output.string()));
     write_stdout(summary(cohort, simulated, command.output));
     return trustworthy_result;
 }
 
 }  // namespace
 
-void add_study_simulate_command(CLI::App& study, int& exit_code) {
+void add_study_simulate_command(CLI::App& study, Session& session) {
     const auto command = std::make_shared<StudySimulateCommand>();
     CLI::App* const simulate =
         study.add_subcommand("simulate", "draw a cohort from stated populations and measure it, to plan a study");
@@ -77,8 +80,9 @@ void add_study_simulate_command(CLI::App& study, int& exit_code) {
     simulate->add_option("--threads", command->shared.threads, "at most so many; the result does not depend on it")
         ->check(CLI::Range(1, 1024));
     simulate->add_flag("--no-cache", command->shared.no_cache, "do not keep or use recorded walks and emulators");
-    simulate->footer("Exit code 0: done; 2: bad input; 3: internal error.");
-    simulate->callback([command, &exit_code] { exit_code = run(*command); });
+    add_examples(*simulate, {"skinfit study simulate configs/cohort_power.json --output cohort"},
+                 "Exit code 0: done; 2: bad input; 3: internal error.");
+    simulate->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 
 }  // namespace skinfit

@@ -1,11 +1,12 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "app/commands.hpp"
+#include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
+#include "app/terminal.hpp"
 #include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "core/text.hpp"
@@ -64,7 +65,7 @@ void write_figure(const FigureResult& result, const std::filesystem::path& folde
     draw(sheet, folder / (name + ".png"));
 }
 
-int run(const ValidateCommand& command) {
+int run(const ValidateCommand& command, Session& session) {
     const std::vector<Figure> figures = chosen_figures(command.figures);
     const FigureOptions options = options_of(command);
     make_output_folder(command.output);
@@ -72,26 +73,33 @@ int run(const ValidateCommand& command) {
     shared.threads = command.threads;
     const auto limit = thread_limit(shared);
     std::vector<FigureResult> results;
+    ProgressLine line(session, "computing figures");
+    const std::stop_token stop = session.interrupt.graceful("interrupted; the figure at hand is finished first");
     for (const Figure& figure : figures) {
-        if (::isatty(STDERR_FILENO) != 0) fmt::print(stderr, "{} ...\n", figure.title);
+        if (stop.stop_requested()) break;
+        line.show({.what = figure.title, .done = results.size(), .total = figures.size()});
         results.push_back(run_figure(figure, options));
-        for (const std::string& message : results.back().messages) fmt::print(stderr, "note: {}\n", message);
+        for (const std::string& message : results.back().messages) line.tell("note: " + message);
         write_figure(results.back(), command.output);
+    }
+    line.end();
+    if (stop.stop_requested()) {
+        say_line(fmt::format("{} of {} figures are in {}", results.size(), figures.size(), command.output.string()));
+        return session.interrupt.exit_code();
     }
     const std::string json = json_text(summary_json(results));
     write_file_atomically(command.output / "summary.json", json);
-    write_stdout(command.format == "json" ? json : summary_text(results));
+    command.format == "json" ? write_stdout(json) : write_report_to_stdout(summary_text(results));
     return trustworthy_result;
 }
 
 }  // namespace
 
-void add_validate_command(CLI::App& app, int& exit_code) {
+void add_validate_command(CLI::App& app, Session& session) {
     const auto command = std::make_shared<ValidateCommand>();
     CLI::App* const validate =
         app.add_subcommand("validate", "hold the model against what has been published, and fits against the truth");
     validate->require_subcommand(1);
-    add_validate_inverse_command(*validate, exit_code);
     CLI::App* const forward = validate->add_subcommand("forward", "the figures of the model's paper, and their claims");
     forward->add_option("--output", command->output, "folder for a table and two pictures per figure, and summary.json")
         ->type_name("FOLDER")
@@ -107,8 +115,12 @@ void add_validate_command(CLI::App& app, int& exit_code) {
     forward->add_option("--seed", command->seed, "of the goniophotometer's random numbers");
     forward->add_option("--threads", command->threads, "at most so many; the result does not depend on it")
         ->check(CLI::Range(1, 1024));
-    forward->footer("Exit code 0: done, whatever the verdicts; 2: bad input; 3: internal error.");
-    forward->callback([command, &exit_code] { exit_code = run(*command); });
+    add_examples(*forward,
+                 {"skinfit validate forward", "skinfit validate forward --figures 3,4 --output figures",
+                  "skinfit validate forward --figures 7 --rays 20000 --format json"},
+                 "Exit code 0: done, whatever the verdicts; 2: bad input; 3: internal error.");
+    forward->callback([command, &session] { session.exit_code = run(*command, session); });
+    add_validate_inverse_command(*validate, session);
 }
 
 }  // namespace skinfit

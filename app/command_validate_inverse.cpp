@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include "app/commands.hpp"
+#include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
+#include "app/terminal.hpp"
 #include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "core/text.hpp"
@@ -45,7 +47,7 @@ std::array<bool, uncertainty_methods> chosen_intervals(const std::string& names)
     return chosen;
 }
 
-int run(const ValidateInverseCommand& command) {
+int run(const ValidateInverseCommand& command, Session& session) {
     const Configuration configuration = configuration_of(command);
     const Engine simulator =
         configured_by_word(default_configuration(), "engine", command.simulate_by, "--simulate-by").engine;
@@ -54,7 +56,22 @@ int run(const ValidateInverseCommand& command) {
     design.intervals = chosen_intervals(command.intervals);
     make_output_folder(command.output);
     const auto limit = thread_limit(command.shared);
-    const InverseStudy study = run_inverse_study(configuration, simulator, design, cache_from(command.shared));
+    ProgressLine line(session, "preparing the model");
+    const RecoveryWatch watch{.stop = session.interrupt.graceful("interrupted; the spectra at hand are finished first"),
+                              .progress = [&](std::uint64_t done) {
+                                  line.show({.what = fmt::format("{}/{} spectra", done, design.spectra),
+                                             .done = done,
+                                             .total = design.spectra,
+                                             .count = done,
+                                             .unit = "spectra"});
+                              }};
+    const InverseStudy study =
+        run_inverse_study(configuration, simulator, design, cache_from(command.shared, line), watch);
+    line.end();
+    if (study.spectra.empty()) {
+        say_line("no spectrum was finished; nothing was written");
+        return session.interrupt.exit_code();
+    }
     const RecoverySummary summary = summarised(study.spectra, study.free);
     write_file_atomically(command.output / "recovery.csv", recovery_csv(study.spectra, study.free));
     const PlotSheet sheet = recovery_sheet(study.spectra, summary);
@@ -65,13 +82,17 @@ int run(const ValidateInverseCommand& command) {
     json["configuration"] = to_json(configuration);
     const std::string text = json_text(json);
     write_file_atomically(command.output / "summary.json", text);
-    write_stdout(command.shared.format == "json" ? text : recovery_text(summary));
+    command.shared.format == "json" ? write_stdout(text) : write_report_to_stdout(recovery_text(summary));
+    if (study.spectra.size() < design.spectra) {
+        say_line(fmt::format("of {} spectra asked for only these {}", design.spectra, study.spectra.size()));
+        return session.interrupt.exit_code();
+    }
     return passes(summary) ? trustworthy_result : result_with_warning;
 }
 
 }  // namespace
 
-void add_validate_inverse_command(CLI::App& validate, int& exit_code) {
+void add_validate_inverse_command(CLI::App& validate, Session& session) {
     const auto command = std::make_shared<ValidateInverseCommand>();
     CLI::App* const inverse = validate.add_subcommand(
         "inverse", "fit synthetic spectra of known skin, and count how often intervals cover it");
@@ -82,7 +103,8 @@ void add_validate_inverse_command(CLI::App& validate, int& exit_code) {
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();
     inverse->add_option("--seed", command->seed, "of skins, noise, starts and chains");
-    inverse->add_option("--engine", command->engine, "of the fits: emulator, paths or solver; emulator by default");
+    inverse->add_option("--engine", command->engine, "of the fits; emulator by default")
+        ->type_name("emulator|paths|solver");
     inverse
         ->add_option(
             "--simulate-by", command->simulate_by,
@@ -113,8 +135,12 @@ void add_validate_inverse_command(CLI::App& validate, int& exit_code) {
     inverse->add_option("--threads", command->shared.threads, "at most so many; the result does not depend on it")
         ->check(CLI::Range(1, 1024));
     inverse->add_flag("--no-cache", command->shared.no_cache, "do not keep or use recorded walks");
-    inverse->footer("Exit code 0: the study passes; 1: something failed; 2: bad input; 3: internal error.");
-    inverse->callback([command, &exit_code] { exit_code = run(*command); });
+    add_examples(
+        *inverse,
+        {"skinfit validate inverse --spectra 20 --intervals covariance",
+         "skinfit validate inverse --spectra 200 --intervals covariance,profile --set noise=0.006 --output recovery"},
+        "Exit code 0: the study passes; 1: something failed; 2: bad input; 3: internal error.");
+    inverse->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 
 }  // namespace skinfit

@@ -2,33 +2,34 @@
 
 #include <CLI/CLI.hpp>
 
-/// One function per command: it adds the command to `app`; the command sets `exit_code` when it runs.
+#include "app/session.hpp"
+
+/// One function per command: it adds the command to `app`; the command sets `session.exit_code` when it runs.
 namespace skinfit {
 
-/// What a run of the program ended with.
-enum ExitCode : int { trustworthy_result = 0, result_with_warning = 1, bad_input = 2, internal_error = 3 };
-
-void add_fit_command(CLI::App& app, int& exit_code, const std::string& command_line);
-void add_inspect_command(CLI::App& app, int& exit_code);
-void add_simulate_command(CLI::App& app, int& exit_code);
-void add_sensitivity_command(CLI::App& app, int& exit_code);
-void add_design_command(CLI::App& app, int& exit_code);
-void add_explore_command(CLI::App& app, int& exit_code);
-void add_gonio_command(CLI::App& app, int& exit_code);
-void add_validate_command(CLI::App& app, int& exit_code);
+void add_fit_command(CLI::App& app, Session& session);
+void add_inspect_command(CLI::App& app, Session& session);
+void add_simulate_command(CLI::App& app, Session& session);
+void add_sensitivity_command(CLI::App& app, Session& session);
+void add_design_command(CLI::App& app, Session& session);
+void add_explore_command(CLI::App& app, Session& session);
+void add_gonio_command(CLI::App& app, Session& session);
+void add_validate_command(CLI::App& app, Session& session);
 /// A subcommand of `validate`.
-void add_validate_inverse_command(CLI::App& validate, int& exit_code);
-void add_study_command(CLI::App& app, int& exit_code);
+void add_validate_inverse_command(CLI::App& validate, Session& session);
+void add_study_command(CLI::App& app, Session& session);
 /// Subcommands of `study`.
-void add_study_run_command(CLI::App& study, int& exit_code);
-void add_study_status_command(CLI::App& study, int& exit_code);
-void add_study_export_command(CLI::App& study, int& exit_code);
-void add_study_report_command(CLI::App& study, int& exit_code);
-void add_study_power_command(CLI::App& study, int& exit_code);
-void add_study_merge_command(CLI::App& study, int& exit_code);
-void add_study_simulate_command(CLI::App& study, int& exit_code);
-void add_bench_command(CLI::App& app, int& exit_code);
-void add_convert_command(CLI::App& app, int& exit_code);
-void add_config_command(CLI::App& app, int& exit_code);
+void add_study_run_command(CLI::App& study, Session& session);
+void add_study_status_command(CLI::App& study, Session& session);
+void add_study_export_command(CLI::App& study, Session& session);
+void add_study_report_command(CLI::App& study, Session& session);
+void add_study_power_command(CLI::App& study, Session& session);
+void add_study_merge_command(CLI::App& study, Session& session);
+void add_study_simulate_command(CLI::App& study, Session& session);
+void add_bench_command(CLI::App& app, Session& session);
+void add_convert_command(CLI::App& app, Session& session);
+void add_config_command(CLI::App& app, Session& session);
+void add_completion_command(CLI::App& app, Session& session);
+void add_manual_command(CLI::App& app, Session& session);
 
 }  // namespace skinfit

@@ -5,62 +5,84 @@
 #include "app/command_line_error.hpp"
 #include "app/commands.hpp"
 #include "app/shared_options.hpp"
+#include "app/terminal.hpp"
 #include "core/input_error.hpp"
 #include "core/version.hpp"
 
+namespace skinfit {
 namespace {
 
 /// An empty argument is most often a variable of a script that was never set; none has a meaning here.
 void refuse_empty_arguments(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         if (*argv[i] != '\0') continue;
-        throw skinfit::InputError({.where = "command line",
-                                   .problem = fmt::format("argument {} is empty", i),
-                                   .why = "no file and no value has an empty name",
-                                   .remedy = "give it, or leave its option out"});
+        throw InputError({.where = "command line",
+                          .problem = fmt::format("argument {} is empty", i),
+                          .why = "no file and no value has an empty name",
+                          .remedy = "give it, or leave its option out"});
     }
+}
+
+/// Gives every command that can be run the option --quiet.
+void add_quiet(CLI::App& app, Session& session) {
+    const std::vector<CLI::App*> commands = app.get_subcommands([](const CLI::App*) { return true; });
+    for (CLI::App* command : commands) add_quiet(*command, session);
+    if (!commands.empty() || app.get_option_no_throw("--quiet") != nullptr) return;
+    app.add_flag("--quiet", session.quiet, "no progress, notes or warnings on the terminal: only errors");
+}
+
+void add_commands(CLI::App& app, Session& session) {
+    add_fit_command(app, session);
+    add_inspect_command(app, session);
+    add_simulate_command(app, session);
+    add_sensitivity_command(app, session);
+    add_design_command(app, session);
+    add_explore_command(app, session);
+    add_gonio_command(app, session);
+    add_validate_command(app, session);
+    add_study_command(app, session);
+    add_bench_command(app, session);
+    add_convert_command(app, session);
+    add_config_command(app, session);
+    add_completion_command(app, session);
+    add_manual_command(app, session);
+    add_quiet(app, session);
 }
 
 int run(int argc, char** argv) {
     refuse_empty_arguments(argc, argv);
-    int exit_code = skinfit::trustworthy_result;
+    Interrupt interrupt;
+    Session session{.command_line = shell_words({argv, argv + argc}), .interrupt = interrupt};
     CLI::App app("skinfit estimates skin biology from measured light. Research software, not a medical device.",
                  "skinfit");
     app.require_subcommand(1);
-    app.set_version_flag("--version", std::string(skinfit::version));
-    skinfit::add_fit_command(app, exit_code, skinfit::shell_words({argv, argv + argc}));
-    skinfit::add_inspect_command(app, exit_code);
-    skinfit::add_simulate_command(app, exit_code);
-    skinfit::add_sensitivity_command(app, exit_code);
-    skinfit::add_design_command(app, exit_code);
-    skinfit::add_explore_command(app, exit_code);
-    skinfit::add_gonio_command(app, exit_code);
-    skinfit::add_validate_command(app, exit_code);
-    skinfit::add_study_command(app, exit_code);
-    skinfit::add_bench_command(app, exit_code);
-    skinfit::add_convert_command(app, exit_code);
-    skinfit::add_config_command(app, exit_code);
+    app.set_help_flag("-h,--help", "say what there is, and end");
+    app.set_version_flag("--version", std::string(version), "say which version this is, and end");
+    app.footer("`skinfit COMMAND --help` explains a command. To begin: skinfit fit measurements/data/ncsu_113.csv");
+    add_commands(app, session);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
         app.exit(help);
-        skinfit::write_stdout("");  // flushes, and complains where that fails
+        write_stdout("");  // flushes, and complains where that fails
     } catch (const CLI::ParseError& error) {
-        throw skinfit::InputError(skinfit::command_line_complaint(app, error));
+        throw InputError(command_line_complaint(app, error));
     }
-    return exit_code;
+    return session.exit_code;
 }
 
 }  // namespace
+}  // namespace skinfit
 
 int main(int argc, char** argv) {
     try {
-        return run(argc, argv);
+        return skinfit::run(argc, argv);
     } catch (const skinfit::InputError& error) {
-        fmt::print(stderr, "error: {}\n", error.what());
+        skinfit::say_trouble("error", error.what());
         return skinfit::bad_input;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "internal error: {}; please report it with the command that led to it\n", error.what());
+        skinfit::say_trouble("internal error",
+                             fmt::format("{}; please report it with the command that led to it", error.what()));
         return skinfit::internal_error;
     }
 }

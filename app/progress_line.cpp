@@ -3,15 +3,22 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <utility>
+
+#include "app/terminal.hpp"
 
 namespace skinfit {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using namespace std::chrono_literals;
 
-double seconds_since(Clock::time_point time) {
-    return std::chrono::duration<double>(Clock::now() - time).count();
+constexpr std::string_view clear_line = "\r\x1b[K";
+constexpr auto patience = 1s;  // what ends sooner shows no bar
+
+double seconds_since(std::chrono::steady_clock::time_point time) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - time).count();
 }
 
 /// "1 h 02 min", "3 min 05 s" or "12 s".
@@ -24,64 +31,92 @@ std::string duration_text(double seconds) {
     return fmt::format("{} s", whole);
 }
 
-std::string bar_text(double share) {
-    constexpr int width = 24;
-    const int filled = static_cast<int>(share * width);
-    return "[" + std::string(static_cast<std::size_t>(filled), '#') +
-           std::string(static_cast<std::size_t>(width - filled), '.') + "]";
+double share_of(const Progress& progress) {
+    if (progress.total == 0) return 0.0;
+    return std::min(1.0, static_cast<double>(progress.done) / static_cast<double>(progress.total));
+}
+
+std::string bar_text(const Progress& progress) {
+    constexpr std::size_t width = 24;
+    if (progress.total == 0) return "";
+    const auto filled = static_cast<std::size_t>(share_of(progress) * width);
+    return "[" + std::string(filled, '#') + std::string(width - filled, '.') + "] ";
+}
+
+std::string in_words(const Progress& progress, double elapsed_s) {
+    std::string text = progress.what;
+    if (progress.count > 0 && elapsed_s > 0.0) {
+        text += fmt::format(", {:.3g} {}/s", static_cast<double>(progress.count) / elapsed_s, progress.unit);
+    }
+    const double share = share_of(progress);
+    if (share == 0.0) return text + ", " + duration_text(elapsed_s);
+    if (share < 1.0) text += ", " + duration_text(elapsed_s / share * (1.0 - share)) + " left";
+    return text;
 }
 
 }  // namespace
 
-ProgressLine::ProgressLine(const Options& options)
-    : options_(options), terminal_(::isatty(STDERR_FILENO) != 0), begin_(Clock::now()), shown_(begin_) {}
+ProgressLine::ProgressLine(const Session& session, const std::string& what, Log log)
+    : quiet_(session.quiet),
+      terminal_(is_terminal(STDERR_FILENO)),
+      log_(log),
+      now_{.what = what},
+      stage_begin_(Clock::now()),
+      logged_(stage_begin_) {
+    if (terminal_ && !quiet_) drawer_ = std::jthread([this](const std::stop_token& stop) { draw_now_and_then(stop); });
+}
 
 ProgressLine::~ProgressLine() {
-    if (open_) fmt::print(stderr, "\n");
+    end();
+}
+
+void ProgressLine::draw_now_and_then(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    auto pause = std::chrono::milliseconds(patience);
+    while (!wake_.wait_for(lock, stop, pause, [&stop] { return stop.stop_requested(); })) {
+        draw();
+        pause = 100ms;
+    }
+}
+
+void ProgressLine::draw() {
+    fmt::print(stderr, "{}{}{}", clear_line, bar_text(now_), in_words(now_, seconds_since(stage_begin_)));
+    std::fflush(stderr);
+    is_drawn_ = true;
+}
+
+void ProgressLine::log() {
+    logged_ = Clock::now();
+    has_logged_ = true;
+    fmt::print(stderr, "{}\n", in_words(now_, seconds_since(stage_begin_)));
 }
 
 void ProgressLine::show(const Progress& progress) {
-    last_ = progress;
-    if (options_.quiet) return;
-    if (progress.count == 0) begin_ = Clock::now();
-    const double wait = terminal_ ? 0.1 : (options_.verbose ? 1.0 : 10.0);
-    if (seconds_since(shown_) < wait) return;
-    print(progress);
-}
-
-void ProgressLine::print(const Progress& progress) {
-    shown_ = Clock::now();
-    const double share =
-        progress.total == 0 ? 1.0 : static_cast<double>(progress.done) / static_cast<double>(progress.total);
-    const double elapsed = seconds_since(begin_);
-    std::string text = progress.what;
-    if (progress.count > 0 && elapsed > 0.0) {
-        text += fmt::format(", {:.3g} {}/s", static_cast<double>(progress.count) / elapsed, progress.unit);
-    }
-    if (share > 0.0 && share < 1.0) text += ", " + duration_text(elapsed / share * (1.0 - share)) + " left";
-    if (terminal_) {
-        constexpr const char* clear_line = "\r\x1b[K";
-        fmt::print(stderr, "{}{} {}", clear_line, bar_text(share), text);
-        std::fflush(stderr);
-        open_ = true;
-    } else {
-        fmt::print(stderr, "{}\n", text);
-    }
-    printed_ = true;
+    const std::scoped_lock lock(mutex_);
+    if (progress.done == 0) stage_begin_ = Clock::now();
+    now_ = progress;
+    const double wait_s = log_ == Log::often ? 1.0 : 10.0;
+    if (!quiet_ && !terminal_ && log_ != Log::none && seconds_since(logged_) >= wait_s) log();
 }
 
 void ProgressLine::tell(const std::string& text) {
-    if (options_.quiet) return;
-    if (open_) fmt::print(stderr, "\n");
-    open_ = false;
-    fmt::print(stderr, "{}\n", text);
+    const std::scoped_lock lock(mutex_);
+    if (!quiet_) say_line(text);
+}
+
+void ProgressLine::warn(const std::string& text) {
+    const std::scoped_lock lock(mutex_);
+    if (!quiet_) say_trouble("warning", text);
 }
 
 void ProgressLine::end() {
-    if (options_.quiet) return;
-    if (printed_ || options_.verbose) print(last_);
-    if (open_) fmt::print(stderr, "\n");
-    open_ = false;
+    if (drawer_.joinable()) {
+        drawer_.request_stop();
+        drawer_.join();
+    }
+    if (quiet_ || std::exchange(over_, true)) return;
+    if (is_drawn_) fmt::print(stderr, "{}", clear_line);
+    if (!terminal_ && (has_logged_ || log_ == Log::often)) log();
 }
 
 }  // namespace skinfit

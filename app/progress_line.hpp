@@ -1,51 +1,70 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
 #include <cstdint>
+#include <mutex>
 #include <string>
+#include <thread>
+
+#include "app/session.hpp"
 
 namespace skinfit {
 
 /// How far something is.
 struct Progress {
-    std::uint64_t done;  ///< of `total`, in units of equal cost
-    std::uint64_t total;
-    std::string what;     ///< in words
-    std::uint64_t count;  ///< things done, for the rate
-    std::string unit;     ///< of `count`
+    std::string what;         ///< in words
+    std::uint64_t done = 0;   ///< of `total`, in units of equal cost; 0 when a stage begins
+    std::uint64_t total = 0;  ///< 0: nobody knows
+    std::uint64_t count = 0;  ///< things done, for the rate; 0: none is shown
+    std::string unit{};       ///< of `count`
 };
 
-/// Shows on stderr how far a long command is: on a terminal a bar that is drawn again and again, elsewhere a line now
-/// and then.
+/// Shows on stderr how far a command is, where that is a terminal and the command takes longer than a second: a bar,
+/// drawn again and again. Not with --quiet. Any thread may call its functions.
 class ProgressLine {
 public:
-    struct Options {
-        bool quiet = false;
-        bool verbose = false;  ///< lines every second rather than every 10 s
+    /// What is written where stderr is no terminal, as in the log of a batch job.
+    enum class Log {
+        none,
+        now_and_then,  ///< a line every 10 s
+        often,         ///< every second, and at the end
     };
 
-    explicit ProgressLine(const Options& options);
+    /// `what` is being done, in words.
+    ProgressLine(const Session& session, const std::string& what, Log log = Log::none);
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
-    /// Ends the line.
+    /// As `end`.
     ~ProgressLine();
 
     void show(const Progress& progress);
     /// Prints a line of its own.
     void tell(const std::string& text);
-    /// Shows the last state and ends the line.
+    /// The same with "warning: " before it.
+    void warn(const std::string& text);
+    /// Takes the bar away: before the command prints its result.
     void end();
 
 private:
-    void print(const Progress& progress);
+    using Clock = std::chrono::steady_clock;
 
-    Options options_;
+    void draw_now_and_then(const std::stop_token& stop);
+    void draw();
+    void log();
+
+    bool quiet_;
     bool terminal_;
-    std::chrono::steady_clock::time_point begin_;
-    std::chrono::steady_clock::time_point shown_;
-    Progress last_{};
-    bool open_ = false;  ///< a bar stands on the current line
-    bool printed_ = false;
+    Log log_;
+    std::mutex mutex_;
+    std::condition_variable_any wake_;
+    Progress now_;
+    Clock::time_point stage_begin_;
+    Clock::time_point logged_;
+    bool is_drawn_ = false;  ///< a bar stands on the current line
+    bool has_logged_ = false;
+    bool over_ = false;
+    std::jthread drawer_;
 };
 
 }  // namespace skinfit

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <system_error>
 
+#include "app/terminal.hpp"
 #include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "fit/configuration_json.hpp"
@@ -86,13 +87,15 @@ Configuration with_free_and_fixed(const Configuration& configuration, const std:
     return changed;
 }
 
-EnsembleCache cache_from(const SharedOptions& options) {
+void add_examples(CLI::App& command, const std::vector<std::string>& examples, const std::string& remark) {
+    command.footer(
+        fmt::format("Examples:\n  {}{}{}", fmt::join(examples, "\n  "), remark.empty() ? "" : "\n\n", remark));
+}
+
+EnsembleCache cache_from(const SharedOptions& options, ProgressLine& line) {
     return {.folder = options.no_cache ? std::nullopt : default_cache_folder(),
-            .warn = [](const std::string& text) { fmt::print(stderr, "warning: {}\n", text); },
-            .inform =
-                [](const std::string& text) {
-                    if (::isatty(STDERR_FILENO) != 0) fmt::print(stderr, "{} ...\n", text);
-                }};
+            .warn = [&line](const std::string& text) { line.warn(text); },
+            .inform = [&line](const std::string& text) { line.show({.what = text}); }};
 }
 
 void make_output_folder(const std::filesystem::path& folder) {
@@ -139,9 +142,13 @@ void write_stdout(const std::string& text) {
                       .remedy = "check where it leads, or name a file with --out"});
 }
 
+void write_report_to_stdout(const std::string& text) {
+    write_stdout(shows_colour(STDOUT_FILENO) ? coloured(text) : text);
+}
+
 void write_output(const SharedOptions& options, const std::string& text) {
     if (options.out.empty()) {
-        write_stdout(text);
+        write_report_to_stdout(text);
     } else {
         write_file_atomically(options.out, text);
     }

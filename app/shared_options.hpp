@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/progress_line.hpp"
 #include "fit/configuration.hpp"
 #include "fit/settings.hpp"
 #include "model/ensemble_cache.hpp"
@@ -41,8 +42,11 @@ void add_reader_option(CLI::App& command, std::string& reader);
                                                 const std::vector<std::string>& free,
                                                 const std::vector<std::string>& fix);
 
-/// The cache for recorded walks as the options ask for; its messages go to stderr.
-[[nodiscard]] EnsembleCache cache_from(const SharedOptions& options);
+/// Ends the help of `command` with these command lines, and `remark`, if any.
+void add_examples(CLI::App& command, const std::vector<std::string>& examples, const std::string& remark = "");
+
+/// The cache for recorded walks as the options ask for; its messages go to `line`.
+[[nodiscard]] EnsembleCache cache_from(const SharedOptions& options, ProgressLine& line);
 
 /// Makes the folder of --output where there is none. Throws InputError where that is no folder that can be written.
 void make_output_folder(const std::filesystem::path& folder);
@@ -59,7 +63,11 @@ void make_output_folder(const std::filesystem::path& folder);
 /// Writes `text` to stdout. Throws InputError where that cannot be done.
 void write_stdout(const std::string& text);
 
-/// Writes `text` to --out, or to stdout. Throws InputError where that cannot be done; then nothing is half-written.
+/// The same for a report, in colours where they are shown.
+void write_report_to_stdout(const std::string& text);
+
+/// Writes `text` to --out, or to stdout, in colours where they are shown. Throws InputError where that cannot be done;
+/// then nothing is half-written.
 void write_output(const SharedOptions& options, const std::string& text);
 
 /// Throws InputError when --out cannot be written, or is one of the files that are read (`inputs` and --config): before

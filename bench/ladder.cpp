@@ -203,9 +203,10 @@ const BenchRung& rung(const BenchResult& result, std::string_view name) {
     return *found;
 }
 
-BenchResult measure_ladder(const BenchSizes& sizes) {
+BenchResult measure_ladder(const BenchSizes& sizes, const BenchListener& tell) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 2);
     const Stopwatch whole;
+    tell("simulating spectra");
     const BenchWork work = bench_work(sizes.spectra, sizes.rays);
     const FitProblem& problem = work.problem;
     BenchResult result{};
@@ -213,6 +214,7 @@ BenchResult measure_ladder(const BenchSizes& sizes) {
     result.machine = machine_name();
     result.compiler = "g++ " __VERSION__;
 
+    tell("building the models");
     const Stopwatch building;
     const Emulator emulator = Emulator::build(emulator_domain(problem));
     result.build = building.elapsed();
@@ -221,6 +223,7 @@ BenchResult measure_ladder(const BenchSizes& sizes) {
     const ForwardModel solver = angular_solver(problem.only().experiment);
     const std::size_t solved = std::min(sizes.spectra, sizes.solver_spectra);
 
+    tell("fitting by the emulator");
     const LeanFitter fitter(problem, emulator);
     const TimedFits lean = timed_fits(work, sizes.spectra, [&](const FitProblem& each) {
         const Eigen::Map<const Eigen::VectorXd> measured(each.only().measured.data(),
@@ -231,6 +234,7 @@ BenchResult measure_ladder(const BenchSizes& sizes) {
     const TimedFits emulated = timed_fits(work, sizes.spectra, [&](const FitProblem& each) {
         return fit_as_configured(each, emulator, emulator, work.configuration.starts);
     });
+    tell("fitting by recorded paths");
     const TimedFits once =
         timed_fits(work, sizes.spectra, [&](const FitProblem& each) { return fit_once(each, ensemble); });
     constexpr std::uint64_t few_rays = 3000;  // as `fit_spectrum`
@@ -238,9 +242,11 @@ BenchResult measure_ladder(const BenchSizes& sizes) {
     const TimedFits configured = timed_fits(work, solved, [&](const FitProblem& each) {
         return fit_as_configured(each, ensemble, few, work.configuration.starts);
     });
+    tell("fitting by the angular solver");
     const TimedFits by_solver =
         timed_fits(work, solved, [&](const FitProblem& each) { return fit_once(each, solver); });
 
+    tell("fitting by brute force");
     const FitProblem first = problem_of(work, 0);
     const BruteForce brute = fit_by_brute_force(first, sizes.brute_force_evaluations);
     const Objective first_objective(first, ensemble);
@@ -262,13 +268,16 @@ BenchResult measure_ladder(const BenchSizes& sizes) {
         rung_of("solver", "angular solver, one search by Ceres", by_solver, 0.0),
         rung_of("emulator_as_fit", "emulator, as `skinfit fit` searches", emulated, megabytes_of(emulator)),
         rung_of("emulator", "emulator, lean fit of one spectrum (fit/bulk)", lean, megabytes_of(emulator))};
+    tell("comparing the answers");
     const std::vector<Reference> references =
         references_of(work, solver, solved, {lean, emulated, once, configured, by_solver});
     const std::vector<const TimedFits*> in_order = {&once, &configured, &by_solver, &emulated, &lean};
     for (std::size_t i = 0; i < in_order.size(); ++i) {
         result.rungs[i + 1].accuracy = accuracy_of(*in_order[i], references);
     }
+    tell("measuring one thread and two");
     measure_threads(work, ensemble, emulator, result);
+    tell("measuring intervals");
     result.intervals = measure_intervals(work, emulator, solved);
     result.peak_mb = peak_memory_mb();
     result.whole = whole.elapsed();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -66,8 +67,11 @@ struct BenchResult {
     Duration whole;
 };
 
+/// Told what is measured now, in words.
+using BenchListener = std::function<void(const std::string&)>;
+
 /// Measures everything in one run on the same work (`bench_work`), two threads at most.
-[[nodiscard]] BenchResult measure_ladder(const BenchSizes& sizes);
+[[nodiscard]] BenchResult measure_ladder(const BenchSizes& sizes, const BenchListener& tell);
 
 [[nodiscard]] const BenchRung& rung(const BenchResult& result, std::string_view name);
 

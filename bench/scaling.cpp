@@ -161,8 +161,17 @@ std::string csv_of(const Plot& plot) {
 
 }  // namespace
 
-std::vector<ScalingPlot> measure_scaling() {
-    return {against_spectra(), against_wavelengths(), against_rays(), against_free_parameters()};
+std::vector<ScalingPlot> measure_scaling(const BenchListener& tell) {
+    std::vector<ScalingPlot> plots;
+    tell("measuring against spectra");
+    plots.push_back(against_spectra());
+    tell("measuring against wavelengths");
+    plots.push_back(against_wavelengths());
+    tell("measuring against rays");
+    plots.push_back(against_rays());
+    tell("measuring against free parameters");
+    plots.push_back(against_free_parameters());
+    return plots;
 }
 
 void write_scaling(const std::vector<ScalingPlot>& plots, const std::filesystem::path& folder) {

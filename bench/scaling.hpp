@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/ladder.hpp"
 #include "fit/plot.hpp"
 
 namespace skinfit {
@@ -16,7 +17,7 @@ struct ScalingPlot {
 
 /// Processor times against the number of spectra, wavelengths, rays and free parameters, everything else as in
 /// `bench_work`; both axes are decimal logarithms, but for free parameters. Takes about a minute.
-[[nodiscard]] std::vector<ScalingPlot> measure_scaling();
+[[nodiscard]] std::vector<ScalingPlot> measure_scaling(const BenchListener& tell);
 
 /// Writes each plot as `scaling_<name>.svg` and `.csv` into `folder`. Throws InputError where that cannot be done.
 void write_scaling(const std::vector<ScalingPlot>& plots, const std::filesystem::path& folder);

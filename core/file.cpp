@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -70,6 +71,23 @@ std::size_t ordinary_file_size(const std::filesystem::path& path, const Descript
     return size;
 }
 
+/// All bytes up to the end; `expected` of them are likely. Files of /proc say that they are empty, and others may grow.
+std::string read_all(int descriptor, const std::filesystem::path& path, std::size_t expected) {
+    std::string bytes(expected, '\0');
+    std::size_t filled = 0;
+    for (;;) {
+        if (filled == bytes.size()) bytes.resize(filled + std::max(filled / 2, std::size_t{1} << 16U));
+        const ssize_t count = ::read(descriptor, bytes.data() + filled, bytes.size() - filled);
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) refuse_to_read(path, errno);
+        if (count == 0) break;
+        filled += static_cast<std::size_t>(count);
+        if (filled > largest_file_bytes) refuse_size(path);
+    }
+    bytes.resize(filled);
+    return bytes;
+}
+
 /// Writes all bytes; returns 0 or the errno of what failed.
 int write_all(int descriptor, std::string_view bytes) {
     while (!bytes.empty()) {
@@ -100,21 +118,11 @@ std::string read_file(const std::filesystem::path& path) {
     // Without O_NONBLOCK, opening a pipe waits for whoever writes into it.
     const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
     if (descriptor.get() < 0) refuse_to_read(path, errno);
-    const std::size_t size = ordinary_file_size(path, descriptor);
-    std::string bytes(size, '\0');
-    std::size_t filled = 0;
-    for (;;) {
-        // Files of /proc say that they are empty, and others may grow.
-        if (filled == bytes.size()) bytes.resize(filled + (std::size_t{1} << 16U));
-        const ssize_t count = ::read(descriptor.get(), bytes.data() + filled, bytes.size() - filled);
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) refuse_to_read(path, errno);
-        if (count == 0) break;
-        filled += static_cast<std::size_t>(count);
-        if (filled > largest_file_bytes) refuse_size(path);
-    }
-    bytes.resize(filled);
-    return bytes;
+    return read_all(descriptor.get(), path, ordinary_file_size(path, descriptor));
+}
+
+std::string read_standard_input() {
+    return read_all(STDIN_FILENO, "standard input", 0);
 }
 
 FileReplacement::FileReplacement(std::filesystem::path path) : path_(std::move(path)) {

@@ -15,6 +15,9 @@ inline constexpr std::size_t largest_file_bytes = std::size_t{1} << 31U;
 /// such as a folder or a pipe; never waits for one.
 [[nodiscard]] std::string read_file(const std::filesystem::path& path);
 
+/// The bytes that come from standard input, up to its end. Throws InputError when it is closed or gives too many.
+[[nodiscard]] std::string read_standard_input();
+
 /// Replaces the file at `path` by `bytes` in one step: it holds all of the old or all of the new, never a part.
 /// Throws InputError when the folder is missing, read-only or full; then nothing has changed.
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);

@@ -45,7 +45,7 @@ Configuration study_configuration() {
 }
 
 InverseStudy run_inverse_study(const Configuration& configuration, Engine simulator, RecoveryDesign design,
-                               const EnsembleCache& cache) {
+                               const EnsembleCache& cache, const RecoveryWatch& watch) {
     if (configuration.discrepancy) {
         throw InputError({.where = "discrepancy",
                           .problem = "no recovery study with one",
@@ -63,14 +63,14 @@ InverseStudy run_inverse_study(const Configuration& configuration, Engine simula
     design.thorough_starts = 4 * complete.starts;
     const std::vector<ForwardModel> models = make_models(problem, complete.engine, cache);
     if (simulator == Engine::walk) {
-        return {.free = problem.free, .spectra = recover(problem, models, walked(simulated), design)};
+        return {.free = problem.free, .spectra = recover(problem, models, walked(simulated), design, watch)};
     }
     const Objective truth(simulated, make_models(simulated, simulator, cache));
     const auto exact = [&truth](std::span<const double> values, std::uint64_t /*number*/) {
         const Eigen::VectorXd reading = truth.readings(values);
         return SimulatedReadings{.reading = reading, .standard_error = Eigen::VectorXd::Zero(reading.size())};
     };
-    return {.free = problem.free, .spectra = recover(problem, models, exact, design)};
+    return {.free = problem.free, .spectra = recover(problem, models, exact, design, watch)};
 }
 
 }  // namespace skinfit

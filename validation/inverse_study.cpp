@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "core/input_error.hpp"
@@ -126,11 +127,14 @@ RecoveredSpectrum analysed(const Searched& searched, const Searched& elsewhere, 
 }  // namespace
 
 std::vector<RecoveredSpectrum> recover(const FitProblem& problem, const std::vector<ForwardModel>& models,
-                                       const Simulator& simulate, const RecoveryDesign& design) {
-    std::vector<RecoveredSpectrum> recovered(design.spectra);
+                                       const Simulator& simulate, const RecoveryDesign& design,
+                                       const RecoveryWatch& watch) {
+    std::vector<std::optional<RecoveredSpectrum>> recovered(design.spectra);
+    std::atomic<std::uint64_t> done = 0;
     const std::vector<ForwardModel> rough = cheap_models(problem, models);
     constexpr std::size_t at_a_time = 10;  // they share one copy of the models
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, design.spectra, at_a_time), [&](const auto& range) {
+        if (watch.stop.stop_requested()) return;
         FitProblem own = problem;
         std::ranges::fill(own.only().sigma, design.noise);
         FitProblem shifted = own;
@@ -139,14 +143,20 @@ std::vector<RecoveredSpectrum> recover(const FitProblem& problem, const std::vec
         const Objective cheap(own, rough);
         const Objective objective_elsewhere(shifted, models);
         const Objective cheap_elsewhere(shifted, rough);
-        for (std::size_t k = range.begin(); k < range.end(); ++k) {
+        for (std::size_t k = range.begin(); k < range.end() && !watch.stop.stop_requested(); ++k) {
             const Case drawn = drawn_case(problem, simulate, design, k);
             own.only().measured = drawn.measured;
             shifted.only().measured = drawn.measured;
             recovered[k] = analysed({cheap, objective}, {cheap_elsewhere, objective_elsewhere}, drawn.truth, design, k);
+            ++done;
+            if (watch.progress) watch.progress(done);
         }
     });
-    return recovered;
+    std::vector<RecoveredSpectrum> finished;
+    for (std::optional<RecoveredSpectrum>& spectrum : recovered) {
+        if (spectrum) finished.push_back(std::move(*spectrum));
+    }
+    return finished;
 }
 
 }  // namespace skinfit

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "fit/inference.hpp"
@@ -33,6 +34,12 @@ struct RecoveryDesign {
     std::size_t starts = 8;            ///< of the search that is judged, by Ceres
     std::size_t thorough_starts = 32;  ///< of the one that it is judged by, elsewhere in the box
     std::array<bool, uncertainty_methods> intervals{true, true, true};  ///< which kinds are computed
+};
+
+/// Whoever waits for a recovery study.
+struct RecoveryWatch {
+    std::stop_token stop{};                              ///< asks for an end after the spectra at hand
+    std::function<void(std::uint64_t done)> progress{};  ///< empty: nobody listens; called from any thread
 };
 
 /// What became of one parameter of one spectrum.
@@ -64,9 +71,11 @@ struct RecoveredSpectrum {
 
 /// Draws `design.spectra` skins, each free parameter from its prior within its bounds (uniform where it has none) and
 /// all of them as priors on derived quantities say, simulates each with `simulate`, adds what noise is missing, and
-/// fits `problem` to it over `models`. Spectra in parallel, the same results on any number of threads. Throws
-/// InputError where the simulated readings have more noise than the design wants.
+/// fits `problem` to it over `models`. Where `watch.stop` ends it, those that are finished are returned. Spectra in
+/// parallel, the same results on any number of threads. Throws InputError where the simulated readings have more noise
+/// than the design wants.
 [[nodiscard]] std::vector<RecoveredSpectrum> recover(const FitProblem& problem, const std::vector<ForwardModel>& models,
-                                                     const Simulator& simulate, const RecoveryDesign& design);
+                                                     const Simulator& simulate, const RecoveryDesign& design,
+                                                     const RecoveryWatch& watch = {});
 
 }  // namespace skinfit

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "app/completion.hpp"
+
+namespace skinfit {
+
+/// What a shell offers for the value of an option or argument.
+struct OfferedValues {
+    enum class Kind { nothing, files, folders, words, assignments };
+    Kind kind;
+    std::vector<std::string> words;
+};
+
+[[nodiscard]] OfferedValues offered_values(const OptionWords& option, const CompletedNames& names);
+
+/// The long name of an option, else its short one.
+[[nodiscard]] const std::string& main_name(const OptionWords& option);
+
+/// "study run" as the name of a shell's function: "study_run".
+[[nodiscard]] std::string as_identifier(const std::string& command);
+
+}  // namespace skinfit

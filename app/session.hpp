@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "app/interrupt.hpp"
+
+namespace skinfit {
+
+/// What a run of the program ended with; one that a signal ended has 128 plus the signal's number.
+enum ExitCode : int { trustworthy_result = 0, result_with_warning = 1, bad_input = 2, internal_error = 3 };
+
+/// One run of the program: what every command shares.
+struct Session {
+    std::string command_line;  ///< as typed into a shell
+    Interrupt& interrupt;
+    bool quiet = false;  ///< --quiet: nothing on stderr but errors
+    int exit_code = trustworthy_result;
+};
+
+}  // namespace skinfit

@@ -1,0 +1,189 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/text.hpp"
+#include "tests/cli/cli_test.hpp"
+
+namespace skinfit::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+Words lines_of(const std::string& text) {
+    Words lines;
+    for (const std::string_view line : split_lines(text)) lines.emplace_back(line);
+    return lines;
+}
+
+Words joined(Words words, const std::string& word) {
+    words.push_back(word);
+    return words;
+}
+
+/// Help, completion and manual, which all tell of the same commands.
+class HelpRuns : public CliTest {
+protected:
+    void SetUp() override {
+        CliTest::SetUp();
+        for (const char* name : {"measurements", "configs"}) {
+            std::filesystem::copy(std::filesystem::path(SKINFIT_SOURCE_DIR) / name, folder() / name,
+                                  std::filesystem::copy_options::recursive);
+        }
+        std::filesystem::create_symlink(skinfit_program(), folder() / "skinfit");
+        ::setenv("PATH", (folder().string() + ":" + std::getenv("PATH")).c_str(), 1);
+    }
+
+    [[nodiscard]] Outcome shell(const std::string& line, const std::string& name = "bash") const {
+        return StartedProgram({name, "-c", line}, folder()).wait();
+    }
+
+    [[nodiscard]] std::string help_of(const Words& command) const {
+        const Outcome help = run(joined(command, "--help"));
+        EXPECT_EQ(help.exit_code, 0);
+        return help.out;
+    }
+
+    /// The commands that can be run, each as its words.
+    [[nodiscard]] std::vector<Words> commands(const Words& parent = {}) const {
+        std::vector<Words> all;
+        bool listed = false;
+        for (const std::string& line : lines_of(help_of(parent))) {
+            if (line == "Subcommands:") {
+                listed = true;
+            } else if (listed && line.starts_with("  ") && line[2] != ' ') {
+                std::ranges::copy(commands(joined(parent, line.substr(2, line.find(' ', 2) - 2))),
+                                  std::back_inserter(all));
+            } else if (listed && line.empty()) {
+                break;
+            }
+        }
+        if (all.empty()) all.push_back(parent);
+        return all;
+    }
+
+    [[nodiscard]] Words examples_of(const Words& command) const {
+        Words examples;
+        for (const std::string& line : lines_of(help_of(command))) {
+            if (line.starts_with("  skinfit ")) examples.push_back(line.substr(2));
+        }
+        return examples;
+    }
+
+    [[nodiscard]] Words long_options_of(const Words& command) const {
+        Words options;
+        for (const std::string& line : lines_of(help_of(command))) {
+            if (!line.starts_with("  -")) continue;
+            const std::size_t begin = line.find("--");
+            options.push_back(line.substr(begin, line.find_first_of(" ,", begin) - begin));
+        }
+        return options;
+    }
+};
+
+TEST_F(HelpRuns, EveryCommandHasExamplesAndQuiet) {
+    EXPECT_GE(commands().size(), 21U);
+    for (const Words& command : commands()) {
+        EXPECT_FALSE(examples_of(command).empty()) << command.back();
+        const Words options = long_options_of(command);
+        EXPECT_EQ(std::ranges::count(options, "--quiet"), 1) << command.back();
+    }
+}
+
+TEST_F(HelpRuns, EveryExampleWorks) {
+    // These wait for a person or take minutes; those that write where the user's own files are, too.
+    const auto is_left_out = [](const std::string& example) {
+        for (const char* part : {"explore", "bench", "validate", "~/", "man -l"}) {
+            if (example.find(part) != std::string::npos) return true;
+        }
+        return false;
+    };
+    // Some show what others have made: a study is run before it is reported.
+    ASSERT_LE(shell("skinfit study run configs/study_example.json").exit_code, 1);
+    ASSERT_LE(shell("skinfit study run configs/study_example.json --part 1/2 --ledger part_1.sqlite").exit_code, 1);
+    for (const Words& command : commands()) {
+        for (const std::string& example : examples_of(command)) {
+            if (is_left_out(example)) continue;
+            const Outcome outcome = shell(example);
+            EXPECT_EQ(outcome.signal, 0) << example;
+            EXPECT_LE(outcome.exit_code, 1) << example << "\n" << outcome.err;
+            EXPECT_NE(outcome.exit_code, -1) << example;
+        }
+    }
+}
+
+TEST_F(HelpRuns, BashCompletesEveryCommandAndOption) {
+    const std::string completes =
+        "source <(skinfit completion bash); compopt() { :; }; try() { COMP_WORDS=(skinfit \"$@\"); COMP_CWORD=$#; "
+        "_skinfit; echo \" ${COMPREPLY[*]} \"; }; ";
+    for (const Words& command : commands()) {
+        std::string words;
+        for (const std::string& word : command) words += word + " ";
+        const Outcome parent = shell(completes + "try " + words.substr(0, words.size() - 2));
+        EXPECT_NE(parent.out.find(" " + command.back() + " "), std::string::npos) << words << parent.out << parent.err;
+        for (const std::string& option : long_options_of(command)) {
+            const Outcome outcome = shell(completes + "try " + words + option.substr(0, option.size() - 1));
+            EXPECT_NE(outcome.out.find(" " + option + " "), std::string::npos) << words << option << outcome.err;
+        }
+    }
+    EXPECT_EQ(shell(completes + "try fit --uncertainty p").out, " profile posterior \n");
+    EXPECT_EQ(shell(completes + "try fit --free oxy").out, " oxygen_saturation \n");
+    EXPECT_EQ(shell(completes + "try fit --set discr").out, " discrepancy= \n");
+    EXPECT_EQ(shell(completes + "try fit measure").out, " measurements \n");
+    EXPECT_EQ(shell(completes + "try study run --outp").out, "  \n");
+}
+
+TEST_F(HelpRuns, FishCompletes) {
+    if (shell("command -v fish").exit_code != 0) GTEST_SKIP() << "no fish on this machine";
+    const auto completed = [&](const std::string& line) {
+        return shell("skinfit completion fish | source; complete -C '" + line + "' | string replace -r '\\t.*' ''",
+                     "fish")
+            .out;
+    };
+    EXPECT_EQ(completed("skinfit st"), "study\n");
+    EXPECT_EQ(completed("skinfit study m"), "merge\n");
+    EXPECT_EQ(completed("skinfit study merge --verb"), "--verbose\n");
+    EXPECT_EQ(completed("skinfit fit --uncertainty p"), "posterior\nprofile\n");
+    EXPECT_EQ(completed("skinfit fit --free oxy"), "oxygen_saturation\n");
+    EXPECT_EQ(completed("skinfit fit measure"), "measurements/\n");
+    EXPECT_EQ(completed("skinfit fit fi"), "");  // commands are not offered twice
+}
+
+TEST_F(HelpRuns, ZshCompletes) {
+    if (shell("command -v zsh").exit_code != 0) GTEST_SKIP() << "no zsh on this machine";
+    put("complete.zsh", R"(
+zmodload zsh/zpty
+zpty shell zsh -f -i
+zpty -w shell 'PS1=; autoload -U compinit; compinit -u -d zcompdump; source <(skinfit completion zsh); echo ready'
+zpty -r shell out '*ready*ready*'
+zpty -w -n shell $'skinfit study me\t --verb\t <'
+zpty -r shell out '*verb*<*'
+print -r -- $out
+zpty -d shell
+)");
+    EXPECT_EQ(shell("skinfit completion zsh | zsh -n").exit_code, 0);
+    const std::string shown = shell("timeout 30 zsh complete.zsh").out;
+    EXPECT_NE(shown.find("merge"), std::string::npos) << shown;
+    EXPECT_NE(shown.find("--verbose"), std::string::npos) << shown;
+}
+
+TEST_F(HelpRuns, TheManualHoldsEveryCommandAndOption) {
+    const Outcome page = shell("skinfit manual | groff -man -ww -Tascii -P-c -P-b -P-u");
+    EXPECT_EQ(page.err, "");
+    std::string text = page.out;
+    for (const Words& command : commands()) {
+        std::string heading = "   skinfit";
+        for (const std::string& word : command) heading += " " + word;
+        const std::size_t begin = text.find(heading + "\n");
+        ASSERT_NE(begin, std::string::npos) << heading;
+        const std::string section = text.substr(begin, text.find("\n   skinfit ", begin + 1) - begin);
+        for (const std::string& option : long_options_of(command)) {
+            if (option == "--help") continue;
+            EXPECT_NE(section.find("       " + option), std::string::npos) << heading << " " << option;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace skinfit::test
