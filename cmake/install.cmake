@@ -1,12 +1,15 @@
-# What `cmake --install` puts where. Component `program`: what it takes to run skinfit, which is also what the Debian
-# package holds. Component `development`: what it takes to build other programs with its libraries.
+# What `cmake --install` puts where. Component `program`: what it takes to run skinfit. Component `development`: what it
+# takes to build other programs with its libraries. Component `plain`: what a Debian package has in a form of its own.
 include(CMakePackageConfigHelpers)
 
 set(doc_folder ${CMAKE_INSTALL_DATAROOTDIR}/doc/skinfit)
 install(DIRECTORY configs DESTINATION ${CMAKE_INSTALL_DATADIR}/skinfit COMPONENT program
-  PATTERN *_results EXCLUDE)
+  PATTERN *_results EXCLUDE
+  PATTERN *.sh EXCLUDE)
+install(PROGRAMS configs/slurm_study.sh DESTINATION ${CMAKE_INSTALL_DATADIR}/skinfit/configs COMPONENT program)
 install(DIRECTORY measurements/data DESTINATION ${CMAKE_INSTALL_DATADIR}/skinfit/measurements COMPONENT program)
-install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${doc_folder} COMPONENT program)
+install(FILES README.md CITATION.cff DESTINATION ${doc_folder} COMPONENT program)
+install(FILES CHANGELOG.md LICENSE DESTINATION ${doc_folder} COMPONENT plain)
 install(FILES model/REFERENCES.md DESTINATION ${doc_folder}/model COMPONENT program)
 install(DIRECTORY docs DESTINATION ${doc_folder} COMPONENT program)
 
@@ -19,7 +22,6 @@ string(REPLACE "\n" "\n " licence "${licence}")
 configure_file(cmake/package/copyright.in copyright @ONLY)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS LICENSE)
 install(FILES ${PROJECT_BINARY_DIR}/copyright DESTINATION ${doc_folder} COMPONENT program)
-install(FILES LICENSE DESTINATION ${doc_folder} COMPONENT development)
 
 foreach(name IN ITEMS core model measurements fit report)
   set_target_properties(skinfit_${name} PROPERTIES EXPORT_NAME ${name})
