@@ -25,7 +25,6 @@ protected:
         ASSERT_FALSE(package_.empty()) << packed.out;
     }
 
-    [[nodiscard]] std::filesystem::path file() const { return package_; }
     [[nodiscard]] std::string field(const std::string& name) const {
         return std::string(trimmed(run_words({"dpkg-deb", "--field", package_.string(), name}, folder()).out));
     }
@@ -41,11 +40,15 @@ protected:
         return content;
     }
 
+    void expect_fields() const;
+    void expect_content() const;
+    void expect_program() const;
+
 private:
     std::filesystem::path package_;
 };
 
-TEST_F(Package, SaysWhatItIs) {
+void Package::expect_fields() const {
     EXPECT_EQ(field("Package"), "skinfit");
     EXPECT_EQ(field("Version"), std::string(version) + "-1");
     EXPECT_EQ(field("Maintainer"), "skinfit developers");
@@ -57,7 +60,7 @@ TEST_F(Package, SaysWhatItIs) {
         EXPECT_NE(field("Recommends").find(recommended), std::string::npos) << field("Recommends");
 }
 
-TEST_F(Package, HoldsWhatItTakesToRunAndNothingElse) {
+void Package::expect_content() const {
     const auto files = content();
     const std::string document = "-rw-r--r-- root/root";
     const std::map<std::string, std::string> expected = {
@@ -88,15 +91,22 @@ TEST_F(Package, HoldsWhatItTakesToRunAndNothingElse) {
     }
 }
 
-TEST_F(Package, ItsProgramKnowsNothingOfTheBuild) {
+void Package::expect_program() const {
     const std::filesystem::path root = folder() / "root";
-    const Outcome extracted = run_words({"dpkg-deb", "--extract", file().string(), root.string()}, folder());
+    const Outcome extracted = run_words({"dpkg-deb", "--extract", package_.string(), root.string()}, folder());
     ASSERT_EQ(extracted.exit_code, 0) << extracted.err;
     const std::filesystem::path program = root / "usr/bin/skinfit";
     EXPECT_EQ(trimmed(run_words({program.string(), "--version"}, folder()).out), version);
 #ifdef NDEBUG  // asserts name their source
     EXPECT_FALSE(names_this_build(program));
 #endif
+}
+
+// One test, since each would make the package anew.
+TEST_F(Package, IsOfTheProgramAlone) {
+    expect_fields();
+    expect_content();
+    expect_program();
 }
 
 }  // namespace
