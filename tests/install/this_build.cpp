@@ -1,5 +1,7 @@
 #include "tests/install/this_build.hpp"
 
+#include <sys/stat.h>
+
 #include "core/file.hpp"
 
 namespace skinfit::test {
@@ -34,7 +36,11 @@ Outcome build_project(const std::filesystem::path& source, const std::filesystem
 }
 
 Outcome pack_build(const std::filesystem::path& folder) {
-    return run_words({SKINFIT_CPACK, "-G", "DEB", "--config", build_folder + "/CPackConfig.cmake", "-B", "."}, folder);
+    const mode_t mask = ::umask(077);  // which the package must not take over
+    Outcome packed =
+        run_words({SKINFIT_CPACK, "-G", "DEB", "--config", build_folder + "/CPackConfig.cmake", "-B", "."}, folder);
+    ::umask(mask);
+    return packed;
 }
 
 bool names_this_build(const std::filesystem::path& path) {
