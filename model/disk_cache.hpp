@@ -16,9 +16,11 @@ namespace skinfit {
 /// What is costly to make, kept on disk between runs, in one folder, at most `limit_bytes` of it: the longest unused
 /// goes first.
 struct DiskCache {
-    std::optional<std::filesystem::path> folder;     ///< none: nothing is kept
-    std::function<void(const std::string&)> warn;    ///< told, once a file, of what is wrong with the cache
-    std::function<void(const std::string&)> inform;  ///< told before something costly starts
+    std::optional<std::filesystem::path> folder;  ///< none: nothing is kept
+    /// Told, once a file, of what is wrong with the cache.
+    std::function<void(const std::string&)> warn = [](const std::string&) {};
+    /// Told before something costly starts.
+    std::function<void(const std::string&)> inform = [](const std::string&) {};
     std::uint64_t limit_bytes = std::uint64_t{2} << 30U;
 };
 

@@ -70,6 +70,15 @@ void overwrite(const fs::path& path, const std::string& bytes) {
     std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
 }
 
+TEST_F(CacheTest, NobodyNeedWatchIt) {
+    const PathEnsemble traced = PathEnsemble::trace({}, wavelengths_nm, walk);
+    expect_same_bits(cached_ensemble({}, wavelengths_nm, walk, {}), traced);
+    const EnsembleCache unwatched{.folder = folder};
+    expect_same_bits(cached_ensemble({}, wavelengths_nm, walk, unwatched), traced);
+    overwrite(files().at(0), "damaged");
+    expect_same_bits(cached_ensemble({}, wavelengths_nm, walk, unwatched), traced);
+}
+
 TEST_F(CacheTest, SecondCallReadsTheSameBits) {
     const PathEnsemble traced = PathEnsemble::trace({}, wavelengths_nm, walk);
     expect_same_bits(get(), traced);
