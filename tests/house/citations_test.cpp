@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/text.hpp"
+#include "tests/house/markdown.hpp"
 #include "tests/house/source_tree.hpp"
 
 namespace skinfit::house {
@@ -93,11 +94,11 @@ Names unused_keys(std::string_view references, const std::vector<SourceFile>& fi
 /// The files of the project's folders that `text` names in backticks.
 Names named_files(std::string_view text) {
     Names named;
+    const std::vector<std::string> folders = source_folders();
     const std::vector<std::string_view> parts = split(text, '`');
     for (std::size_t i = 1; i < parts.size(); i += 2) {
         const std::string_view folder = parts[i].substr(0, parts[i].find('/'));
-        const bool is_ours = folder == "core" || folder == "model" || folder == "measurements" || folder == "fit" ||
-                             folder == "report" || folder == "validation" || folder == "app" || folder == "tests";
+        const bool is_ours = folder == "tests" || std::ranges::find(folders, folder) != folders.end();
         if (is_ours && parts[i].size() > folder.size()) named.insert(std::string(parts[i]));
     }
     return named;
@@ -105,10 +106,15 @@ Names named_files(std::string_view text) {
 
 const std::string references_path = "model/REFERENCES.md";
 
+/// Sources, tables and documents, these without code, where a bracket is an optional argument.
 std::vector<SourceFile> citing_files() {
-    return source_files(
-        {"core", "model", "measurements", "fit", "report", "validation", "study", "bench", "explore", "app", "tests"},
-        {".cpp", ".hpp", ".csv", ".md"});
+    std::vector<std::string> folders = source_folders();
+    folders.emplace_back("tests");
+    std::vector<SourceFile> files = source_files(folders, {".cpp", ".hpp", ".csv"});
+    for (const SourceFile& document : documents()) {
+        files.push_back({.path = document.path, .text = without_code(document.text)});
+    }
+    return files;
 }
 
 /// A citation for the tests of the tests, so that this file cites nothing itself.
