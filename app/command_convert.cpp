@@ -4,6 +4,7 @@
 #include "app/region_options.hpp"
 #include "app/shared_options.hpp"
 #include "core/input_error.hpp"
+#include "fit/configuration_json.hpp"
 #include "fit/settings.hpp"
 #include "measurements/spectrum_file.hpp"
 #include "measurements/spectrum_writer.hpp"
@@ -30,7 +31,9 @@ std::string format_of(const ConvertCommand& command) {
 std::vector<Spectrum> spectra_of(const ConvertCommand& command) {
     MeasuredFiles measured(command.reader);
     ReadOptions options{.region = region_from(command.region)};
-    if (!command.unit.empty()) options.unit = command.unit == "percent" ? Unit::percent : Unit::fraction;
+    if (!command.unit.empty()) {
+        options.unit = configured_by_word(default_configuration(), "unit", command.unit, "--unit").unit;
+    }
     if (command.columns.empty()) return measured.spectra(command.file, options).spectra;
     std::vector<Spectrum> chosen;
     for (const std::string& column : command.columns) {
@@ -66,8 +69,8 @@ void add_convert_command(CLI::App& app, Session& session) {
         ->type_name("NAME")
         ->expected(1)
         ->take_all();
-    convert->add_option("--unit", command->unit, "of the values: fraction or percent; found by a rule otherwise")
-        ->check(CLI::IsMember({"fraction", "percent"}));
+    convert->add_option("--unit", command->unit, "of the values; found by a rule otherwise")
+        ->type_name("fraction|percent");
     add_reader_option(*convert, command->reader);
     add_region_options(*convert, command->region);
     add_examples(

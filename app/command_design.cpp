@@ -22,10 +22,12 @@ Parameter named_parameter(const std::string& name) {
     if (const std::optional<Parameter> found = find_parameter(name)) return *found;
     std::vector<std::string_view> names;
     for (const ParameterInfo& row : parameter_table()) names.push_back(row.name);
+    const std::optional<std::string_view> similar = similar_name(name, names);
     throw InputError({.where = "PARAMETER",
-                      .problem = "\"" + name + "\" is no parameter",
-                      .why = "`skinfit config show` lists them",
-                      .remedy = "did you mean " + std::string(nearest_name(name, names)) + "?"});
+                      .problem = fmt::format("\"{}\" is no parameter", name),
+                      .why = "only a parameter of the model can be detected",
+                      .remedy = (similar ? fmt::format("did you mean {}? Else ", *similar) : "") +
+                                "choose from those of `skinfit config show`"});
 }
 
 std::string output(const Design& result, const std::string& format) {

@@ -56,6 +56,16 @@ Configuration gonio_configuration(const GonioCommand& command) {
     return configuration;
 }
 
+/// The whole number of degrees next to `step_deg` that divides `whole_deg`.
+int nearest_divisor(double whole_deg, double step_deg) {
+    const int whole = static_cast<int>(whole_deg);
+    int nearest = 1;
+    for (int divisor = 1; divisor <= whole; ++divisor) {
+        if (whole % divisor == 0 && std::abs(divisor - step_deg) < std::abs(nearest - step_deg)) nearest = divisor;
+    }
+    return nearest;
+}
+
 /// How many steps make `whole_deg`.
 int steps_in(double whole_deg, double step_deg, const std::string& option) {
     const double steps = std::round(whole_deg / step_deg);
@@ -66,7 +76,7 @@ int steps_in(double whole_deg, double step_deg, const std::string& option) {
     throw InputError({.where = option,
                       .problem = fmt::format("{} degrees do not divide {}", step_deg, whole_deg),
                       .why = "bins of equal width have to fill it",
-                      .remedy = fmt::format("give a step such as {}", whole_deg / std::max(1.0, steps))});
+                      .remedy = fmt::format("give a step such as {}", nearest_divisor(whole_deg, step_deg))});
 }
 
 AngularBins bins_of(const GonioCommand& command) {

@@ -102,8 +102,8 @@ void add_simulate_command(CLI::App& app, Session& session) {
             "recorded walks, the analog walk of the paper, the angular solver (no noise) or its emulator (the fastest)")
         ->type_name("paths|walk|solver|emulator");
     simulate->add_option("--wavelengths", command->wavelengths, "nm: first:last:step as in 400:700:20, or a list");
-    simulate->add_option("--rays", command->rays, "per wavelength");
-    simulate->add_option("--seed", command->seed, "of the random numbers");
+    simulate->add_option("--rays", command->rays, "per wavelength")->type_name("N");
+    simulate->add_option("--seed", command->seed, "of the random numbers")->type_name("N");
     add_shared_options(*simulate, command->shared, {"csv", "json"});
     add_examples(*simulate,
                  {"skinfit simulate", "skinfit simulate --engine solver --wavelengths 400:700:5 --out skin.csv",

@@ -134,7 +134,7 @@ void add_validate_inverse_command(CLI::App& validate, Session& session) {
         ->capture_default_str();
     inverse->add_option("--threads", command->shared.threads, "at most so many; the result does not depend on it")
         ->check(CLI::Range(1, 1024));
-    inverse->add_flag("--no-cache", command->shared.no_cache, "do not keep or use recorded walks");
+    inverse->add_flag("--no-cache", command->shared.no_cache, "do not keep or use recorded walks and emulators");
     add_examples(
         *inverse,
         {"skinfit validate inverse --spectra 20 --intervals covariance",

@@ -45,7 +45,7 @@ void add_shared_options(CLI::App& command, SharedOptions& options, const std::ve
     command.add_option("--out", options.out, "write there instead of to the terminal")->type_name("FILE");
     command.add_option("--threads", options.threads, "at most so many; the result does not depend on it")
         ->check(CLI::Range(1, 1024));
-    command.add_flag("--no-cache", options.no_cache, "do not keep or use recorded walks");
+    command.add_flag("--no-cache", options.no_cache, "do not keep or use recorded walks and emulators");
 }
 
 void add_reader_option(CLI::App& command, std::string& reader) {

@@ -40,11 +40,12 @@ void judge_misfit(const FitResult& result, std::vector<std::string>& reasons) {
     }
     if (!result.p_value) return;
     if (*result.p_value < improbable) {
-        reasons.push_back(
-            fmt::format("MISFIT beyond the noise: chi2 {:.1f} for {:.3g} degrees of freedom (p = {:.1g}), rmse {:.4f} "
-                        "against a noise of "
-                        "{:.4f}; check geometry and specular, free scale or other parameters, or state a larger noise",
-                        result.chi2, result.degrees_of_freedom, *result.p_value, result.rmse, result.median_sigma));
+        reasons.push_back(fmt::format(
+            "MISFIT beyond the noise: chi2 {:.1f} for {:.3g} degrees of freedom (p = {:.1g}), rmse {:.4f} "
+            "against a noise of "
+            "{:.4f}; check geometry and specular, free scale or other parameters, set discrepancy, or state a "
+            "larger noise",
+            result.chi2, result.degrees_of_freedom, *result.p_value, result.rmse, result.median_sigma));
     }
 }
 

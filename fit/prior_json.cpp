@@ -51,11 +51,15 @@ std::optional<Prior> read_prior(const Json& value, const std::string& where) {
     const std::size_t kind = read_choice(value["kind"], kinds, where + ".kind");
     const bool uniform = kind == forms.size();
     for (const auto& [key, entry] : value.items()) {
-        const bool known = key == "kind" || (!uniform && (key == forms[kind].first || key == forms[kind].second));
-        if (known) continue;
-        refuse(where, key, fmt::format("unknown name in a prior of kind {}: it would have no effect", kinds[kind]),
-               uniform ? "set lower and upper under parameters for its limits"
-                       : fmt::format("give {} and {}", forms[kind].first, forms[kind].second));
+        if (key == "kind") continue;
+        if (uniform) {
+            throw InputError({.where = where,
+                              .problem = fmt::format("unknown name \"{}\"", key),
+                              .why = "a uniform prior has nothing to set",
+                              .remedy = "set lower and upper under parameters for its limits"});
+        }
+        const std::vector<std::string_view> known = {"kind", forms[kind].first, forms[kind].second};
+        if (std::ranges::find(known, key) == known.end()) refuse_unknown(where, key, known);
     }
     if (uniform) return std::nullopt;
     const Form& form = forms[kind];
@@ -131,10 +135,7 @@ void read_priors(Configuration& configuration, const Json& value, const std::str
     for (const auto& [name, entry] : value.items()) {
         if (name == "set") continue;
         std::optional<Prior>* const prior = prior_of(configuration, name);
-        if (prior == nullptr) {
-            refuse(where, name, "unknown name: it would have no effect",
-                   fmt::format("did you mean \"{}\"?", nearest_name(name, known_names())));
-        }
+        if (prior == nullptr) refuse_unknown(where, name, known_names());
         *prior = read_prior(entry, where + "." + name);
     }
 }

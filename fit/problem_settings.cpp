@@ -131,7 +131,7 @@ void read_discrepancy(Configuration& configuration, const Json& value, const std
         } else if (key == "kernel") {
             discrepancy.kernel = static_cast<Kernel>(read_choice(entry, kernel_names, here));
         } else {
-            refuse(where, key, "unknown name: it would have no effect", "give sigma, length_nm or kernel");
+            refuse_unknown(where, key, {"sigma", "length_nm", "kernel"});
         }
     }
     configuration.discrepancy = discrepancy;

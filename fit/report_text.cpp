@@ -192,7 +192,7 @@ std::string model_error_words(const FitResult& result) {
     if (!result.emulator_error) {
         return fmt::format("Monte Carlo error of the model: {}", monte_carlo_words(result.monte_carlo_error));
     }
-    return fmt::format("certified error of the emulator: {:.1e}, to the angular solver", *result.emulator_error);
+    return fmt::format("certified error of the emulator: {:.1e}, against the angular solver", *result.emulator_error);
 }
 
 std::string instrument_words(const Configuration& configuration) {

@@ -14,7 +14,7 @@ void check_viewing_cone(const Configuration& configuration) {
                           .remedy = remedy});
     };
     if (configuration.engine != Engine::solver && configuration.engine != Engine::walk) {
-        refuse("this engine does not know in which direction light leaves",
+        refuse("engine=paths and engine=emulator do not know in which direction light leaves",
                "set engine=solver, or engine=walk for a simulation");
     }
     if (configuration.quantity == Quantity::transmittance) {

@@ -85,8 +85,8 @@ void refuse_spectra_in_rows(const Columns& columns) {
     throw InputError({.where = header_place(columns),
                       .problem = fmt::format("the header runs from {} to {}", in_quotes(columns.names[1]),
                                              in_quotes(columns.names[columns.width - 1])),
-                      .why = "that is one spectrum per line, and one spectrum per column is needed",
-                      .remedy = "transpose the table, or call the first column wavelength_nm if these are names"});
+                      .why = "that looks like one spectrum per line, and columns are read here",
+                      .remedy = "use --reader rows, or call the first column wavelength_nm if these are names"});
 }
 
 std::size_t find_column(const Columns& columns, const std::vector<std::size_t>& choices, const std::string& wanted) {

@@ -96,7 +96,7 @@ EnviHeader read_envi_header(const EnviFiles& files) {
     constexpr std::uintmax_t most_bytes = std::uintmax_t{16} << 20U;
     if (std::filesystem::file_size(files.header) > most_bytes) {
         throw InputError({.where = files.header.string(),
-                          .problem = "has more than 16 MB",
+                          .problem = "has more than 16 MiB",
                           .why = "no header of a cube needs as much",
                           .remedy = "check that it is a header"});
     }

@@ -24,17 +24,17 @@ std::uint64_t walk_fingerprint(const Sample& sample, const std::vector<double>& 
 
 /// Refuses a recording that this machine's memory cannot hold, before hours have gone into it.
 void require_memory(std::size_t wavelengths, std::uint64_t rays) {
-    constexpr double gigabyte = 1e9;
+    constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
     const double needed = static_cast<double>(wavelengths) * static_cast<double>(rays) * sizeof(PerLayer<float>);
     const double memory = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
     constexpr double usable_share = 0.7;
     if (needed <= usable_share * memory) return;
     throw InputError(
         {.where = "rays",
-         .problem = fmt::format("{} rays at {} wavelengths fill {:.0f} GB", rays, wavelengths, needed / gigabyte),
+         .problem = fmt::format("{} rays at {} wavelengths fill {:.0f} GiB", rays, wavelengths, needed / gibibyte),
          .why =
-             fmt::format("engine paths keeps every path, and this machine has {:.0f} GB of memory", memory / gigabyte),
-         .remedy = "lower rays, take fewer wavelengths, or use engine walk or solver"});
+             fmt::format("engine paths keeps every path, and this machine has {:.0f} GiB of memory", memory / gibibyte),
+         .remedy = "lower rays, take fewer wavelengths, or set engine=solver or engine=emulator"});
 }
 
 }  // namespace

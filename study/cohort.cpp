@@ -30,7 +30,7 @@ void refuse_misplaced_setting(const Json& model, const std::string& where) {
         const auto is_among = [&key](const auto& names) { return std::ranges::find(names, key) != names.end(); };
         const auto refuse_here = [&](const std::string& why, const std::string& remedy) {
             throw InputError(
-                {.where = where + ": " + key, .problem = "cannot stand here", .why = why, .remedy = remedy});
+                {.where = where + "." + key, .problem = "cannot stand here", .why = why, .remedy = remedy});
         };
         if (is_among(of_cohort)) refuse_here("the cohort states it for all", "write it beside \"model\"");
         if (is_among(of_population)) refuse_here("populations say what is drawn", "write it under \"population\"");
@@ -59,7 +59,7 @@ Configuration read_model(const Json& json, const std::string& where) {
         configuration = configured(std::move(configuration), json["model"], here);
     }
     if (configuration.engine == Engine::walk) {
-        refuse(where + ": model: engine", "walk", "its noise would come on top of that of the instrument",
+        refuse(where + ": model.engine", "walk", "its noise would come on top of that of the instrument",
                "give solver, emulator or paths");
     }
     const std::vector<double> wavelengths_nm = parse_wavelengths(configuration.wavelengths, where + ": wavelengths");

@@ -157,8 +157,10 @@ std::unique_ptr<SQLite::Database> open_ledger_to_write(const std::filesystem::pa
         const std::string mode = database->execAndGet("PRAGMA journal_mode = WAL").getString();
         if (mode != "wal") {
             throw InputError({.where = path.string(),
-                              .problem = "cannot be written ahead",
-                              .why = fmt::format("its file system allows only journals of mode {}", mode),
+                              .problem = "cannot be used as a ledger",
+                              .why = fmt::format("its file system lacks what SQLite's write-ahead log needs; it allows "
+                                                 "only the journal mode {}",
+                                                 mode),
                               .remedy = "put the output folder on a local disk"});
         }
         // A crash of the program loses nothing; one of the machine at most the last transactions.

@@ -149,7 +149,7 @@ void check_words(const ReducedPlane& plane, std::size_t words, const std::filesy
         if (number >= 0.0F && number < static_cast<float>(words) && number == std::floor(number)) continue;
         throw InputError({.where = path.string(),
                           .problem = fmt::format("has the number {} in its band {}", number, plane.name),
-                          .why = "no word has it",
+                          .why = "no status or reason has this number",
                           .remedy = "give a map that skinfit made"});
     }
 }

@@ -147,7 +147,7 @@ TEST_F(HelpRuns, FishCompletes) {
     EXPECT_EQ(completed("skinfit fit --uncertainty p"), "posterior\nprofile\n");
     EXPECT_EQ(completed("skinfit fit --free oxy"), "oxygen_saturation\n");
     EXPECT_EQ(completed("skinfit fit measure"), "measurements/\n");
-    EXPECT_EQ(completed("skinfit fit fi"), "");  // commands are not offered twice
+    EXPECT_EQ(completed("skinfit fit benc"), "");  // commands are not offered twice
 }
 
 TEST_F(HelpRuns, ZshCompletes) {
