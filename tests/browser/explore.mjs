@@ -140,6 +140,34 @@ onPage("exports what it shows", async (page) => {
     }
 });
 
+onPage("exports the report of a fit, a page that stands on its own", async (page) => {
+    await fitSpecimen(page);
+    const [file] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", {name: "report of fit 1 as html"}).click()]);
+    assert.equal(file.suggestedFilename(), "fit_1.html");
+    const path = join(pictures, "fit_1.html");
+    await file.saveAs(path);
+    const text = readFileSync(path, "utf8");
+    assert.ok(text.startsWith("<!DOCTYPE html>"));
+    assert.ok(text.length < 2 * 1024 * 1024, `${text.length} bytes`);
+    assert.ok(text.includes("ncsu_113.csv") && text.includes("skinfit explore"));
+    assert.ok(!text.includes("<script"));
+    const report = await page.context().newPage();
+    try {
+        const complaints = [];
+        report.on("console", (message) => { if (message.type() === "error") complaints.push(message.text()); });
+        report.on("request", (request) => { if (!/^(file|data):/.test(request.url())) complaints.push(request.url()); });
+        await report.goto(`file://${path}`);
+        assert.match(await report.locator(".badge").first().textContent(), /^(trustworthy|suspect)$/);
+        const spectrum = report.getByRole("img", {name: /^Measured and modelled reflectance/});
+        assert.ok(await spectrum.evaluate((image) => image.complete && image.naturalWidth > 100));
+        // Its own style holds: the policy inside it allows that, and no other applies to a saved file.
+        assert.equal(await report.locator(".badge").first().evaluate((badge) => getComputedStyle(badge).display), "inline-block");
+        assert.deepEqual(complaints, []);
+    } finally {
+        await report.close();
+    }
+});
+
 onPage("says what is wrong with a bad file", async (page) => {
     await drop(page, "notes.txt", "dear diary\n");
     await page.getByRole("alert").waitFor();

@@ -70,6 +70,16 @@ TEST(FitReport, MarksWhatIsAtABoundOrNotIdentifiable) {
     EXPECT_FALSE(holds(report_of(test::trustworthy_result()), "BOUND"));
 }
 
+TEST(FitReport, SaysWhereItComesFrom) {
+    const FitResult result = test::trustworthy_result();
+    const std::string by_command = report_of(result);
+    EXPECT_TRUE(holds(by_command, "<dt>command</dt>"));
+    EXPECT_FALSE(holds(by_command, "<dt>made by</dt>"));
+    const std::string by_other = html_report(result, {.command_line = "", .other = "a page & <b>more</b>"});
+    EXPECT_FALSE(holds(by_other, "<dt>command</dt>"));
+    EXPECT_TRUE(holds(by_other, "<dt>made by</dt><dd>a page &amp; &lt;b&gt;more&lt;/b&gt;</dd>"));
+}
+
 TEST(FitReport, SpellsOutWhatItCites) {
     const std::string report = report_of(test::example_result());
     for (const char* key : {"KA04", "PRAHL98", "SHARMA05", "CHARDON91"}) {
