@@ -21,7 +21,8 @@ bool holds(const std::string& text, const std::string& part) {
 }
 
 TEST(FitReport, IsWellFormedForEveryKindOfResult) {
-    for (const FitResult& result : {test::example_result(), test::trustworthy_result(), test::sampled_result()}) {
+    for (const FitResult& result :
+         {test::example_result(), test::trustworthy_result(), test::sampled_result(), test::profiled_result()}) {
         EXPECT_EQ(test::tag_complaint(report_of(result)), "");
     }
 }
@@ -78,6 +79,11 @@ TEST(FitReport, SaysWhereItComesFrom) {
     const std::string by_other = html_report(result, {.command_line = "", .other = "a page & <b>more</b>"});
     EXPECT_FALSE(holds(by_other, "<dt>command</dt>"));
     EXPECT_TRUE(holds(by_other, "<dt>made by</dt><dd>a page &amp; &lt;b&gt;more&lt;/b&gt;</dd>"));
+}
+
+TEST(FitReport, DrawsProfilesWhereThereAreSome) {
+    EXPECT_TRUE(holds(report_of(test::profiled_result()), "<h3>Profiles</h3>"));
+    EXPECT_FALSE(holds(report_of(test::example_result()), "<h3>Profiles</h3>"));
 }
 
 TEST(FitReport, SpellsOutWhatItCites) {
