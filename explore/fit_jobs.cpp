@@ -63,7 +63,7 @@ struct FitJobs::Job {
         try {
             tbb::task_arena arena(fitting_threads());
             conclude(arena.execute([&] { return fitted(order, cache, watch); }));
-        } catch (const FitCancelled&) {
+        } catch (const Cancelled&) {
             conclude("cancelled", Json::object());
         } catch (const InputError& error) {
             conclude("failed", {{"error", error.what()}});

@@ -28,7 +28,7 @@ public:
     /// `fitted_page` of a fit that is done; none where there is no such fit, or it is not done. One is drawn at a time.
     [[nodiscard]] std::optional<std::string> page(const std::string& name);
 
-    /// Asks a fit to stop, which it does at its next evaluation of the model. False where there is no such fit.
+    /// Asks a fit to stop, which it does within about 0.2 s. False where there is no such fit.
     bool cancel(const std::string& name);
 
 private:

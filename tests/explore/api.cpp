@@ -222,6 +222,22 @@ TEST_F(Asked, SoDoesOneThatIsEstimatingItsUncertainty) {
     }
 }
 
+TEST_F(Asked, SoDoesOneThatIsRecordingWalks) {
+    const Json upload = ask("POST", "/api/spectra", read_file(specimen), "ncsu_113.csv").json;
+    const Json configuration = {{"engine", "paths"}, {"rays", 3'000'000}};
+    const Answer started = post("/api/fit", {{"configuration", configuration}, {"measured", upload["measured"]}});
+    ASSERT_EQ(started.status, 200) << started.json;
+    const std::string name = started.json["name"].get<std::string>();
+    while (ask("GET", "/api/fit", "", name).json["progress"]["stage"] != "preparing the model") {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    EXPECT_EQ(ask("DELETE", "/api/fit", "", name).status, 200);
+    const Json state = ended(name);
+    EXPECT_EQ(state["state"], "cancelled");
+    EXPECT_EQ(state["progress"]["stage"], "preparing the model");
+}
+
 TEST_F(Asked, NoMoreThanTwoFitsRun) {
     const Json upload = ask("POST", "/api/spectra", read_file(specimen), "ncsu_113.csv").json;
     const Json order = {{"configuration", {{"engine", "solver"}, {"starts", 1000}}}, {"measured", upload["measured"]}};
