@@ -98,6 +98,34 @@ onPage("undoes, redoes, and comes back from its link", async (page) => {
     await until(() => hue(page), (now) => now === colour, "the same colour");
 });
 
+onPage("says which measured file its link names, and what to do", async (page) => {
+    await drop(page, "ncsu_113.csv", specimen);
+    await number(page, "melanosome_fraction").fill("0.1");
+    await page.keyboard.press("Tab");
+    await until(() => page.url(), (url) => url.includes("melanosome_fraction=0.1") && url.includes("measured=ncsu_113.csv"), "the link");
+    await page.reload();
+    await page.waitForSelector(".plot canvas");
+    assert.equal(await number(page, "melanosome_fraction").inputValue(), "0.1");
+    const alert = page.getByRole("alert");
+    await alert.waitFor();
+    assert.match(await alert.textContent(), /the measured file ncsu_113\.csv, which a link does not hold.*choose it under .Measured spectra., or drop it there/);
+    await page.screenshot({path: join(pictures, "explore_link_without_file.png")});
+    // The link goes on naming it, so that it can be passed on.
+    assert.ok(page.url().includes("measured=ncsu_113.csv"));
+    await drop(page, "ncsu_113.csv", specimen);
+    await alert.waitFor({state: "detached"});
+    await page.getByRole("button", {name: "Remove ncsu_113.csv"}).click();
+    await until(() => page.url(), (url) => !url.includes("measured="), "a link without it");
+    assert.equal(await alert.count(), 0);
+    await page.evaluate(() => { location.hash = "#scale=1.1&measured=a.csv&measured=b.csv"; });
+    await alert.waitFor();
+    assert.match(await alert.textContent(), /a\.csv and b\.csv/);
+    assert.equal(await number(page, "scale").inputValue(), "1.1");
+    await page.getByRole("button", {name: "Do without"}).click();
+    await alert.waitFor({state: "detached"});
+    await until(() => page.url(), (url) => !url.includes("measured="), "a link without them");
+});
+
 onPage("shows absorption and sensitivity, the tabs by arrow keys", async (page) => {
     await page.getByRole("tab", {name: "spectrum"}).focus();
     await page.keyboard.press("ArrowRight");
