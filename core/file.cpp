@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/input_error.hpp"
+#include "core/stop.hpp"
 
 namespace skinfit {
 namespace {
@@ -171,9 +172,16 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view b
     if (failure != 0) refuse_to_write(path, failure);
 }
 
-void write_scratch_file_atomically(const std::filesystem::path& path, std::span<const std::string_view> parts) {
+void write_scratch_file_atomically(const std::filesystem::path& path, std::span<const std::string_view> parts,
+                                   const std::stop_token& stop) {
+    constexpr std::size_t chunk_bytes = std::size_t{1} << 24U;  // written within some hundredths of a second
     FileReplacement file(path);
-    for (const std::string_view part : parts) file.append(part);
+    for (const std::string_view part : parts) {
+        for (std::size_t begin = 0; begin < part.size(); begin += chunk_bytes) {
+            leave_if_cancelled(stop);
+            file.append(part.substr(begin, chunk_bytes));
+        }
+    }
     file.finish(false);
 }
 

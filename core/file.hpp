@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -23,8 +24,9 @@ inline constexpr std::size_t largest_file_bytes = std::size_t{1} << 31U;
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
 
 /// The same for bytes in several parts and without waiting for the disk: for files that can be made again and that
-/// carry a checksum.
-void write_scratch_file_atomically(const std::filesystem::path& path, std::span<const std::string_view> parts);
+/// carry a checksum. Throws Cancelled where `stop` is requested meanwhile; then nothing has changed either.
+void write_scratch_file_atomically(const std::filesystem::path& path, std::span<const std::string_view> parts,
+                                   const std::stop_token& stop = {});
 
 /// A file that is written in parts and then, in one step, takes the place of the one at its path. Until it does, or if
 /// it never does, the old one is untouched.

@@ -76,11 +76,18 @@ ApiAnswer Api::on_fit(const ApiRequest& request) {
     return state ? json_answer(*state) : error_answer("there is no fit of that name; start it again", 404);
 }
 
+ApiAnswer Api::report(const std::string& name) {
+    std::optional<std::string> page = jobs_.page(name);
+    if (!page) return error_answer("there is no such fit that is done; wait for it, or start it again", 404);
+    return {.body = std::move(*page), .saved_as = fmt::format("fit_{}.html", name)};
+}
+
 ApiAnswer Api::dispatched(const ApiRequest& request) {
     const std::string route = request.method + " " + request.path;
     if (route == "GET /api/vocabulary") return json_answer(vocabulary());
     if (route == "POST /api/spectra") return json_answer(uploaded_json(request.body, request.name));
     if (route == "GET /api/fit" || route == "DELETE /api/fit") return on_fit(request);
+    if (route == "GET /api/report") return report(request.name);
     if (route == "POST /api/fit") return started(request_json(request));
     if (route == "POST /api/simulate") {
         return json_answer(simulation_json(simulator_.simulate(configuration_of(request_json(request)))));

@@ -21,6 +21,7 @@ struct ApiRequest {
 struct ApiAnswer {
     int status = 200;
     std::string body;
+    std::string saved_as{};  ///< the name of a file: the body is an HTML page, to be saved and not shown; else empty
 };
 
 /// Everything the page can ask for, whatever carries the requests. Calls may come from any thread.
@@ -33,6 +34,7 @@ struct ApiAnswer {
 ///     POST   /api/fit                  {"configuration": {...}, "source": ..., "measured": [...]} -> {"name": ...}
 ///     GET    /api/fit?name=NAME        how far it is, and in the end its documents
 ///     DELETE /api/fit?name=NAME        asks it to stop
+///     GET    /api/report?name=NAME     its report as an HTML page, once it is done
 class Api {
 public:
     /// `file`: spectra to begin with. Throws InputError as `uploaded_json`.
@@ -45,6 +47,7 @@ private:
     [[nodiscard]] Json exported(const Configuration& configuration);
     [[nodiscard]] ApiAnswer started(const Json& request);
     [[nodiscard]] ApiAnswer on_fit(const ApiRequest& request);
+    [[nodiscard]] ApiAnswer report(const std::string& name);
     [[nodiscard]] ApiAnswer dispatched(const ApiRequest& request);
 
     Json file_;

@@ -28,6 +28,8 @@ struct FitJobs::Job {
     std::string state = "running";
     FitProgress progress{.stage = "waiting", .done = 0, .total = 1};
     Json outcome = Json::object();  ///< "documents" or "error"
+    FitOrder order;
+    std::optional<FitResult> result;  ///< of a fit that is done; never changes then
     Clock::time_point begin = Clock::now();
     Clock::time_point end{};
     std::jthread thread;  ///< last: it ends before the others
@@ -44,16 +46,24 @@ struct FitJobs::Job {
         return state == "running";
     }
 
-    void run(const std::stop_token& stop, const FitOrder& order, const EnsembleCache& cache) {
+    void conclude(FitResult found) {
+        Json documents = fitted_documents(found);
+        {
+            const std::scoped_lock lock(mutex);
+            result = std::move(found);
+        }
+        conclude("done", {{"documents", std::move(documents)}});
+    }
+
+    void run(const std::stop_token& stop, const EnsembleCache& cache) {
         const FitWatch watch{.stop = stop, .progress = [this](const FitProgress& now) {
                                  const std::scoped_lock lock(mutex);
                                  progress = now;
                              }};
         try {
             tbb::task_arena arena(fitting_threads());
-            Json documents = arena.execute([&] { return fitted_documents(order, cache, watch); });
-            conclude("done", {{"documents", std::move(documents)}});
-        } catch (const FitCancelled&) {
+            conclude(arena.execute([&] { return fitted(order, cache, watch); }));
+        } catch (const Cancelled&) {
             conclude("cancelled", Json::object());
         } catch (const InputError& error) {
             conclude("failed", {{"error", error.what()}});
@@ -70,9 +80,8 @@ std::optional<std::string> FitJobs::start(FitOrder order) {
     }
     forget_old();
     const auto job = std::make_shared<Job>();
-    job->thread = std::jthread([job = job.get(), order = std::move(order), cache = cache_](std::stop_token stop) {
-        job->run(stop, order, cache);
-    });
+    job->order = std::move(order);
+    job->thread = std::jthread([job = job.get(), cache = cache_](std::stop_token stop) { job->run(stop, cache); });
     jobs_.emplace(++started_, job);
     return std::to_string(started_);
 }
@@ -103,6 +112,17 @@ std::optional<Json> FitJobs::state(const std::string& name) const {
         {"seconds", elapsed.count()}};
     json.update(job->outcome);
     return json;
+}
+
+std::optional<std::string> FitJobs::page(const std::string& name) {
+    const std::shared_ptr<Job> job = find(name);
+    if (!job) return std::nullopt;
+    {
+        const std::scoped_lock lock(job->mutex);
+        if (!job->result) return std::nullopt;
+    }
+    const std::scoped_lock lock(drawing_);
+    return fitted_page(job->order, *job->result);
 }
 
 bool FitJobs::cancel(const std::string& name) {

@@ -25,7 +25,10 @@ public:
     /// it "documents" of one that is done or "error" of one that has failed. None where there is no such fit.
     [[nodiscard]] std::optional<Json> state(const std::string& name) const;
 
-    /// Asks a fit to stop, which it does at its next evaluation of the model. False where there is no such fit.
+    /// `fitted_page` of a fit that is done; none where there is no such fit, or it is not done. One is drawn at a time.
+    [[nodiscard]] std::optional<std::string> page(const std::string& name);
+
+    /// Asks a fit to stop, which it does within about 0.2 s. False where there is no such fit.
     bool cancel(const std::string& name);
 
 private:
@@ -34,6 +37,7 @@ private:
 
     EnsembleCache cache_;
     mutable std::mutex mutex_;
+    std::mutex drawing_;
     int started_ = 0;
     std::map<int, std::shared_ptr<Job>> jobs_;
     [[nodiscard]] std::shared_ptr<Job> find(const std::string& name) const;

@@ -5,6 +5,7 @@
 
 #include "fit/configuration.hpp"
 #include "fit/fit_watch.hpp"
+#include "fit/result.hpp"
 #include "fit/settings.hpp"
 #include "measurements/spectrum.hpp"
 #include "model/ensemble_cache.hpp"
@@ -14,6 +15,7 @@ namespace skinfit {
 /// A fit as a page asks for it.
 struct FitOrder {
     Configuration configuration;
+    std::string source;             ///< the files of the spectra, as the page names them
     std::vector<Spectrum> spectra;  ///< at least one, explained together
 };
 
@@ -21,8 +23,15 @@ struct FitOrder {
 /// state of edition, layers and base holds where the configuration does not state it. Throws InputError.
 [[nodiscard]] FitOrder fit_order(const Json& request);
 
-/// The order, carried out: the documents made of its result, each of which the page offers for download. "report" is
-/// `json_report`, "text" `text_report`. A report of another form is added here, under the ending of its files.
-[[nodiscard]] Json fitted_documents(const FitOrder& order, const EnsembleCache& cache, const FitWatch& watch);
+/// The order, carried out.
+[[nodiscard]] FitResult fitted(const FitOrder& order, const EnsembleCache& cache, const FitWatch& watch);
+
+/// The documents of a result that the page has at once, and offers for download: "report" is `json_report`, "text"
+/// `text_report`.
+[[nodiscard]] Json fitted_documents(const FitResult& result);
+
+/// The document of a result that takes a second to draw: `html_report`, which says how a command repeats the fit.
+/// Throws InputError when gnuplot is missing or fails.
+[[nodiscard]] std::string fitted_page(const FitOrder& order, const FitResult& result);
 
 }  // namespace skinfit

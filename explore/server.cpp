@@ -79,7 +79,11 @@ RequestParts parts_of(const httplib::Request& request) {
 
 void give(const ApiAnswer& answer, httplib::Response& response) {
     response.status = answer.status;
-    response.set_content(answer.body, "application/json; charset=utf-8");  // which httplib does not compress
+    // httplib does not compress JSON. To be fetched by the page, or saved: a browser that is sent to an answer's
+    // address shows none of it.
+    const std::string name = answer.saved_as.empty() ? "answer.json" : answer.saved_as;
+    response.set_header("Content-Disposition", "attachment; filename=\"" + name + "\"");
+    response.set_content(answer.body, answer.saved_as.empty() ? "application/json; charset=utf-8" : content_type(name));
 }
 
 std::string reason(int status) {
@@ -138,7 +142,8 @@ struct Server::Parts {
         for (const char* path : {"/api/simulate", "/api/sensitivity", "/api/spectra", "/api/export", "/api/fit"}) {
             http.Post(path, ask);
         }
-        http.Get("/api/vocabulary", ask).Get("/api/fit", ask).Delete("/api/fit", ask);
+        http.Get("/api/vocabulary", ask).Get("/api/report", ask);
+        http.Get("/api/fit", ask).Delete("/api/fit", ask);
         const auto show = [](const httplib::Request& request, httplib::Response& response) {
             // A path is matched as a regular expression, which other paths may meet.
             const EmbeddedFile* const file = find_page_file(request.path);

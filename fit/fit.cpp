@@ -117,8 +117,9 @@ FitResult fit_spectra(const Configuration& configuration, std::span<const Spectr
     const FitProblem problem = make_problem(configuration, spectra);
     const FitWatch& watch = options.watch;
     watch.tell({.stage = "preparing the model", .done = 0, .total = 1});
-    const std::vector<ForwardModel> models = options.models ? options.models(problem, configuration.engine)
-                                                            : make_models(problem, configuration.engine, options.cache);
+    const std::vector<ForwardModel> models =
+        options.models ? options.models(problem, configuration.engine)
+                       : make_models(problem, configuration.engine, options.cache, watch.stop);
     const Objective objective(problem, models, watch.stop);
     const Objective cheap(problem, cheap_models(problem, models), watch.stop);
     Search found = search(cheap, objective, configuration.solver, configuration.starts, {}, watch);

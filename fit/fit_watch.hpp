@@ -2,9 +2,10 @@
 
 #include <cstddef>
 #include <functional>
-#include <stdexcept>
 #include <stop_token>
 #include <string_view>
+
+#include "core/stop.hpp"
 
 namespace skinfit {
 
@@ -17,23 +18,12 @@ struct FitProgress {
 
 /// Whoever waits for a fit. `progress` is called from the thread that fits.
 struct FitWatch {
-    std::stop_token stop{};                                 ///< asks for an end before the end
+    std::stop_token stop{};                                 ///< asks for an end before the end: Cancelled is thrown
     std::function<void(const FitProgress&)> progress = {};  ///< empty: nobody listens
 
     void tell(const FitProgress& now) const {
         if (progress) progress(now);
     }
 };
-
-/// Leaves a fit whose `FitWatch::stop` has been requested; there is no result.
-class FitCancelled : public std::runtime_error {
-public:
-    FitCancelled() : std::runtime_error("the fit was cancelled") {}
-};
-
-/// Throws FitCancelled where a stop is requested.
-inline void leave_if_cancelled(const std::stop_token& stop) {
-    if (stop.stop_requested()) throw FitCancelled();
-}
 
 }  // namespace skinfit

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 namespace skinfit {
 namespace {
@@ -30,6 +31,26 @@ ParameterUncertainty with_interval(ParameterUncertainty linear, const Bounds& in
     return linear;
 }
 
+/// `profile` of positions as one of values.
+Profile in_values(Profile profile, const FitProblem& problem) {
+    const std::vector<double> minimum = values_at(problem, profile.minimum);
+    profile.minimum = Eigen::VectorXd::Map(minimum.data(), static_cast<Index>(minimum.size()));
+    for (std::size_t i = 0; i < problem.free.size(); ++i) {
+        const Bounds& bounds = problem.free[i].bounds;
+        const double width = bounds.upper - bounds.lower;
+        ProfileInterval& interval = profile.intervals[i];
+        interval.lower = value_at(bounds, interval.lower);
+        interval.upper = value_at(bounds, interval.upper);
+        for (ProfilePoint& point : interval.curve) {
+            point = {.at = value_at(bounds, point.at),
+                     .cost_rise = point.cost_rise,
+                     .cost_slope = point.cost_slope / width,
+                     .sigma = point.sigma * width};
+        }
+    }
+    return profile;
+}
+
 void use_profile(const Objective& objective, Inference& inference) {
     const FitProblem& problem = objective.problem();
     inference.profile = profile_intervals(in_unit_box(objective), box_position(problem, inference.minimum.values));
@@ -39,12 +60,12 @@ void use_profile(const Objective& objective, Inference& inference) {
         inference.minimum.evaluations += inference.profile->evaluations;
         inference.uncertainty = estimate_uncertainty(objective, inference.minimum);
     }
+    inference.profile = in_values(*std::move(inference.profile), problem);
     for (std::size_t i = 0; i < problem.free.size(); ++i) {
         const ProfileInterval& found = inference.profile->intervals[i];
         const Bounds& bounds = problem.free[i].bounds;
         ParameterUncertainty& row = inference.uncertainty.parameters[i];
-        row =
-            with_interval(row, {value_at(bounds, found.lower), value_at(bounds, found.upper)}, !found.is_everything());
+        row = with_interval(row, {found.lower, found.upper}, !found.is_everything());
         if (row.status != Status::free) continue;
         // The linear model calls what is flat at its bound not identifiable before it asks where it lies.
         if (inference.minimum.values[i] == bounds.lower) row.status = Status::at_lower_bound;

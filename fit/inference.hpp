@@ -15,7 +15,7 @@ struct Inference {
     Minimum minimum;  ///< as given, or a better one that profiling has met
     Uncertainty uncertainty;
     Identifiability identifiability;
-    std::optional<Profile> profile;      ///< in positions; where asked for
+    std::optional<Profile> profile;      ///< in values; where asked for
     std::optional<Posterior> posterior;  ///< in values; where asked for
 };
 

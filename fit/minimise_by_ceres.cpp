@@ -23,7 +23,7 @@ public:
         if (positions != last_positions_) {
             try {
                 last_misfit_ = objective_->misfit(from_unit_box(problem, positions));
-            } catch (const FitCancelled&) {
+            } catch (const Cancelled&) {
                 // No exception may cross Ceres. It ends where nothing is left to gain; the evaluation after that
                 // throws.
                 last_misfit_.residual.setZero(static_cast<Eigen::Index>(objective_->residual_count()));

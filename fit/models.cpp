@@ -5,7 +5,8 @@
 
 namespace skinfit {
 
-std::vector<ForwardModel> make_models(const FitProblem& problem, Engine engine, const EnsembleCache& cache) {
+std::vector<ForwardModel> make_models(const FitProblem& problem, Engine engine, const EnsembleCache& cache,
+                                      const std::stop_token& stop) {
     std::vector<ForwardModel> models;
     for (std::size_t k = 0; k < problem.measurements.size(); ++k) {
         const Measurement& measurement = problem.measurements[k];
@@ -13,11 +14,11 @@ std::vector<ForwardModel> make_models(const FitProblem& problem, Engine engine, 
         if (engine == Engine::solver) {
             models.emplace_back(angular_solver(experiment));
         } else if (engine == Engine::emulator) {
-            models.emplace_back(cached_emulator(emulator_domain(problem, k), cache));
+            models.emplace_back(cached_emulator(emulator_domain(problem, k), cache, stop));
         } else {
             models.emplace_back(cached_ensemble(experiment.sample(),
                                                 true_wavelengths_nm(experiment, measurement.bands.wavelength_nm),
-                                                measurement.walk, cache));
+                                                measurement.walk, cache, stop));
         }
     }
     return models;

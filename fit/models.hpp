@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "fit/forward_model.hpp"
@@ -9,9 +10,9 @@
 namespace skinfit {
 
 /// What computes the light of each measurement: walks, recorded now or kept by `cache`, the angular solver, or its
-/// emulator, made now or kept.
+/// emulator, made now or kept. Throws Cancelled soon after `stop` is requested; then nothing has been kept.
 [[nodiscard]] std::vector<ForwardModel> make_models(const FitProblem& problem, Engine engine,
-                                                    const EnsembleCache& cache);
+                                                    const EnsembleCache& cache, const std::stop_token& stop = {});
 
 /// Approximations that cost a small part of `models`: a few of the recorded rays, or a coarser grid of angles; the
 /// emulator is cheap itself.

@@ -27,7 +27,7 @@ struct Misfit {
 class Objective {
 public:
     /// `models`: one per measurement, each made for its experiment. Refers to the problem, which must outlive it. Once
-    /// `stop` is requested, whatever evaluates the model throws FitCancelled.
+    /// `stop` is requested, whatever evaluates the model throws Cancelled.
     Objective(const FitProblem& problem, const std::vector<ForwardModel>& models, std::stop_token stop = {});
     /// Of a problem with one measurement.
     Objective(const FitProblem& problem, const ForwardModel& model)

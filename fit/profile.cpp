@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace skinfit {
 namespace {
@@ -19,6 +20,14 @@ double normal_share_below(double x) {
     return 0.5 * std::erfc(-x / std::sqrt(2.0));
 }
 
+/// `point` of the profile of `column`. A rise below 0 is no more than the descents leave.
+ProfilePoint profile_point(const BoxPoint& point, Index column, double rise) {
+    return {.at = point.position[column],
+            .cost_rise = std::max(rise, 0.0),
+            .cost_slope = 2.0 * point.misfit.jacobian.col(column).dot(point.misfit.residual),
+            .sigma = sigma_along(point, column)};
+}
+
 /// A walk along the profile of one position, from the minimum towards one bound.
 class Walk {
 public:
@@ -30,13 +39,13 @@ public:
         bool open = false;
         std::optional<VectorXd> better;  ///< met on the way
         int evaluations = 0;
+        ProfileCurve curve;  ///< in the order of the walk, without the minimum
     };
     [[nodiscard]] End run();
 
 private:
     [[nodiscard]] double first_distance() const;
     [[nodiscard]] double next(double excess, double root);
-    [[nodiscard]] double excess_of(const BoxPoint& point, double root) const;
 
     const BoxMisfit* misfit_;
     const BoxPoint* minimum_;
@@ -57,11 +66,6 @@ double Walk::first_distance() const {
     const double rise = normal_95 * normal_95;
     // The positive root of curvature d^2 + slope d = rise, in the form that survives curvature = 0.
     return 2.0 * rise / (slope + std::sqrt(slope * slope + 4.0 * curvature * rise));
-}
-
-double Walk::excess_of(const BoxPoint& point, double root) const {
-    const double position = point.position[column_];
-    return root - critical_root(std::min(position, 1.0 - position) / sigma_along(point, column_));
 }
 
 /// Newton's next distance for a root that is `excess` above its threshold at `last_`, kept within what is known.
@@ -89,7 +93,7 @@ Walk::End Walk::run() {
     const double origin = minimum_->position[column_];
     const double whole = std::abs(limit_ - origin);
     const double direction = limit_ > origin ? 1.0 : -1.0;
-    End end{.position = limit_, .open = true, .better = {}, .evaluations = 0};
+    End end{.position = limit_, .open = true, .better = {}, .evaluations = 0, .curve = {}};
     if (whole <= 0.0) return end;
     last_ = *minimum_;
     double distance = std::min(whole, first_distance());
@@ -106,7 +110,9 @@ Walk::End Walk::run() {
             return end;
         }
         const double root = std::sqrt(std::max(rise, 1e-12));
-        const double excess = excess_of(last_, root);
+        const ProfilePoint here = profile_point(last_, column_, rise);
+        const double excess = root - critical_root(std::min(here.at, 1.0 - here.at) / here.sigma);
+        end.curve.push_back(here);
         if (target == limit_ && excess <= 0.0) return end;
         const double tried = distance;
         distance = next(excess, root);
@@ -115,6 +121,20 @@ Walk::End Walk::run() {
     end.position = origin + direction * distance;
     end.open = false;
     return end;
+}
+
+/// The minimum and what two walks from it have met, by ascending position.
+ProfileCurve curve_of(const ProfilePoint& minimum, const Walk::End& below, const Walk::End& above) {
+    ProfileCurve curve = {minimum};
+    for (const Walk::End* end : {&below, &above}) {
+        std::ranges::copy_if(end->curve, std::back_inserter(curve), [](const ProfilePoint& point) {
+            return std::isfinite(point.cost_rise) && std::isfinite(point.cost_slope);
+        });
+    }
+    std::ranges::stable_sort(curve, {}, &ProfilePoint::at);
+    const auto repeated = std::ranges::unique(curve, {}, &ProfilePoint::at);
+    curve.erase(repeated.begin(), repeated.end());
+    return curve;
 }
 
 /// The minimum over the box near `start`, to well below what matters.
@@ -157,8 +177,11 @@ Profile profile_intervals(const BoxMisfit& misfit, const VectorXd& minimum) {
             profile.evaluations += below.evaluations + above.evaluations;
             if (below.better) better = below.better;
             if (above.better) better = above.better;
-            profile.intervals.push_back(
-                {.lower = below.position, .upper = above.position, .open_below = below.open, .open_above = above.open});
+            profile.intervals.push_back({.lower = below.position,
+                                         .upper = above.position,
+                                         .open_below = below.open,
+                                         .open_above = above.open,
+                                         .curve = curve_of(profile_point(best.point, column, 0.0), below, above)});
         }
         if (!better) break;
         best = settle(misfit, *better);

@@ -6,22 +6,24 @@
 
 #include "fit/box_misfit.hpp"
 #include "fit/minimum.hpp"
+#include "fit/profile_curve.hpp"
 
 namespace skinfit {
 
 /// The interval of one parameter from its profile: the cost as a function of this parameter, minimised over the others.
 struct ProfileInterval {
-    double lower;  ///< positions in the unit box
+    double lower;  ///< positions in the unit box; in a result values
     double upper;
     bool open_below;  ///< the profile stays below its threshold down to the lower bound
     bool open_above;
+    ProfileCurve curve;  ///< where the search evaluated the profile, the minimum and the bounds it reached among them
     [[nodiscard]] bool is_everything() const { return open_below && open_above; }
 };
 
 /// The 95 % intervals of all free parameters.
 struct Profile {
     std::vector<ProfileInterval> intervals;  ///< in the order of the free parameters
-    Eigen::VectorXd minimum;                 ///< the best position known in the end
+    Eigen::VectorXd minimum;                 ///< the best position known in the end; in a result the values
     double cost;                             ///< there
     bool better_minimum;                     ///< profiling met a lower cost than that of the given minimum
     int evaluations;

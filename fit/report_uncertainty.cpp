@@ -68,6 +68,25 @@ Json directions_json(const Identifiability& found) {
     return directions;
 }
 
+/// Of each parameter the points of its profile, by ascending value.
+Json profile_json(const FitResult& result) {
+    Json curves = Json::object();
+    for (std::size_t i = 0; i < result.free.size(); ++i) {
+        const ProfileCurve& curve = result.profile->intervals[i].curve;
+        Json& json = curves[result.free[i].name];
+        for (const char* key : {"value", "cost_rise", "cost_slope", "cost_rise_95"}) json[key] = Json::array();
+        for (const ProfilePoint& point : curve) {
+            json["value"].push_back(point.at);
+            json["cost_rise"].push_back(point.cost_rise);
+            json["cost_slope"].push_back(point.cost_slope);
+            json["cost_rise_95"].push_back(cost_rise_95(curve, point.at, result.free[i].bounds));
+        }
+    }
+    return {{"evaluations", result.profile->evaluations},
+            {"better_minimum", result.profile->better_minimum},
+            {"curves", curves}};
+}
+
 Json posterior_json(const FitResult& result) {
     const Posterior& posterior = *result.posterior;
     Json json = {{"chains", posterior.chains},           {"draws_per_chain", posterior.draws.cols() / posterior.chains},
@@ -105,10 +124,7 @@ Json uncertainty_json(const FitResult& result) {
     for (std::size_t i = 0; i < result.identifiability.names.size(); ++i) {
         json["shrinkage"][result.identifiability.names[i]] = result.identifiability.shrinkage[i];
     }
-    if (result.profile) {
-        json["profile"] = {{"evaluations", result.profile->evaluations},
-                           {"better_minimum", result.profile->better_minimum}};
-    }
+    if (result.profile) json["profile"] = profile_json(result);
     if (result.posterior) json["posterior"] = posterior_json(result);
     return json;
 }

@@ -74,7 +74,7 @@ struct FitResult {
     std::vector<FittedParameter> fixed;    ///< the others, in that order
     Eigen::MatrixXd correlation;
     Identifiability identifiability;
-    std::optional<Profile> profile;      ///< where the intervals are those of profiles
+    std::optional<Profile> profile;      ///< in values, where the intervals are those of profiles
     std::optional<Posterior> posterior;  ///< in values, where the intervals are those of the posterior
     std::optional<double> inflation;     ///< sqrt(chi2 / degrees of freedom); none without degrees of freedom
     SolverAnswer answer;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "model/emulator_sums.hpp"
@@ -41,8 +42,8 @@ struct EmulatedShare {
 class Emulator {
 public:
     /// Takes about a hundredth of a second per wavelength. Throws InputError outside the tables, and for a range of a
-    /// parameter that steers.
-    [[nodiscard]] static Emulator build(const EmulatorDomain& domain);
+    /// parameter that steers, and Cancelled soon after `stop` is requested.
+    [[nodiscard]] static Emulator build(const EmulatorDomain& domain, const std::stop_token& stop = {});
 
     /// The share of the light that the surface reflects.
     [[nodiscard]] double surface_share() const { return surface_share_; }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/input_error.hpp"
+#include "core/stop.hpp"
 #include "model/angular_solver.hpp"
 #include "model/chebyshev.hpp"
 #include "model/chromophores.hpp"
@@ -246,13 +247,15 @@ void check(const EmulatorDomain& domain) {
 
 }  // namespace
 
-Emulator Emulator::build(const EmulatorDomain& domain) {
+Emulator Emulator::build(const EmulatorDomain& domain, const std::stop_token& stop) {
     check(domain);
     const AngularSolver solver(domain.sample, {.incidence_rad = domain.incidence_rad});
     const std::size_t count = domain.wavelengths_nm.size();
     std::vector<Wavelength> wavelengths(count);
-    tbb::parallel_for(std::size_t{0}, count,
-                      [&](std::size_t i) { wavelengths[i] = computed(solver, domain, domain.wavelengths_nm[i]); });
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+        leave_if_cancelled(stop);
+        wavelengths[i] = computed(solver, domain, domain.wavelengths_nm[i]);
+    });
     struct Owner {
         std::vector<std::uint8_t> counts;
         std::vector<float> coefficients;
@@ -260,6 +263,7 @@ Emulator Emulator::build(const EmulatorDomain& domain) {
     const auto owner = std::make_shared<Owner>();
     std::vector<Grouped> groups((count + emulator_lanes - 1) / emulator_lanes);
     tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t i) {
+        leave_if_cancelled(stop);
         Members members{};
         for (std::size_t lane = 0; lane < emulator_lanes; ++lane) {
             members[lane] = &wavelengths[std::min(i * emulator_lanes + lane, count - 1)];

@@ -58,7 +58,8 @@ std::string emulator_key(const EmulatorDomain& domain) {
     return key;
 }
 
-void write_emulator_file(const std::filesystem::path& path, std::string_view key, const Emulator& emulator) {
+void write_emulator_file(const std::filesystem::path& path, std::string_view key, const Emulator& emulator,
+                         const std::stop_token& stop) {
     const Emulator::Parts parts = emulator.parts();
     const Header header{.surface_share = parts.surface_share,
                         .wavelengths = parts.wavelength_count,
@@ -68,7 +69,7 @@ void write_emulator_file(const std::filesystem::path& path, std::string_view key
     const std::array bytes = {bytes_of(std::span<const Header>(&header, 1)),
                               bytes_of(std::span<const Emulator::Group>(parts.groups)), bytes_of(parts.coefficients),
                               bytes_of(parts.counts)};
-    write_stored_file(path, format, key, bytes);
+    write_stored_file(path, format, key, bytes, stop);
 }
 
 std::variant<Emulator, Unusable> read_emulator_file(const std::filesystem::path& path, std::string_view key) {
@@ -90,13 +91,16 @@ std::variant<Emulator, Unusable> read_emulator_file(const std::filesystem::path&
                      .owner = owner});
 }
 
-Emulator cached_emulator(const EmulatorDomain& domain, const DiskCache& cache) {
+Emulator cached_emulator(const EmulatorDomain& domain, const DiskCache& cache, const std::stop_token& stop) {
     const auto build = [&] {
         cache.inform(fmt::format("building the emulator of {} wavelengths", domain.wavelengths_nm.size()));
-        return Emulator::build(domain);
+        return Emulator::build(domain, stop);
+    };
+    const auto write = [&](const std::filesystem::path& path, std::string_view key, const Emulator& emulator) {
+        write_emulator_file(path, key, emulator, stop);
     };
     if (!cache.folder) return build();
-    return cached<Emulator>(cache, emulator_key(domain), "emulator", build, read_emulator_file, write_emulator_file);
+    return cached<Emulator>(cache, emulator_key(domain), "emulator", build, read_emulator_file, write);
 }
 
 }  // namespace skinfit

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -15,11 +16,14 @@ namespace skinfit {
 [[nodiscard]] std::string emulator_key(const EmulatorDomain& domain);
 
 /// As `write_stored_file` and `read_stored_file`.
-void write_emulator_file(const std::filesystem::path& path, std::string_view key, const Emulator& emulator);
+void write_emulator_file(const std::filesystem::path& path, std::string_view key, const Emulator& emulator,
+                         const std::stop_token& stop = {});
 [[nodiscard]] std::variant<Emulator, Unusable> read_emulator_file(const std::filesystem::path& path,
                                                                   std::string_view key);
 
-/// The emulator from the cache, or built anew and then kept.
-[[nodiscard]] Emulator cached_emulator(const EmulatorDomain& domain, const DiskCache& cache);
+/// The emulator from the cache, or built anew and then kept. Throws Cancelled as `Emulator::build`; then nothing has
+/// been kept.
+[[nodiscard]] Emulator cached_emulator(const EmulatorDomain& domain, const DiskCache& cache,
+                                       const std::stop_token& stop = {});
 
 }  // namespace skinfit

@@ -54,15 +54,18 @@ std::string ensemble_key(const Sample& sample, const std::vector<double>& wavele
 }
 
 PathEnsemble cached_ensemble(const Sample& sample, const std::vector<double>& wavelengths_nm,
-                             const WalkOptions& options, const EnsembleCache& cache) {
+                             const WalkOptions& options, const EnsembleCache& cache, const std::stop_token& stop) {
     require_memory(wavelengths_nm.size(), options.rays);
     const auto trace = [&] {
         cache.inform(fmt::format("recording {} walks at each of {} wavelengths", options.rays, wavelengths_nm.size()));
-        return PathEnsemble::trace(sample, wavelengths_nm, options);
+        return PathEnsemble::trace(sample, wavelengths_nm, options, stop);
+    };
+    const auto write = [&](const std::filesystem::path& path, std::string_view key, const PathEnsemble& ensemble) {
+        write_ensemble_file(path, key, ensemble, stop);
     };
     if (!cache.folder) return trace();
     return cached<PathEnsemble>(cache, ensemble_key(sample, wavelengths_nm, options), "paths", trace,
-                                read_ensemble_file, write_ensemble_file);
+                                read_ensemble_file, write);
 }
 
 }  // namespace skinfit

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,10 @@ using EnsembleCache = DiskCache;
 
 /// The ensemble from the cache, or traced anew and then kept. A file that is damaged, truncated or foreign is reported
 /// to `cache.warn` and replaced; a folder that cannot be written is reported and does no harm. Throws InputError for a
-/// recording that needs more than 70 % of the machine's memory.
+/// recording that needs more than 70 % of the machine's memory, and Cancelled as `PathEnsemble::trace`; then nothing
+/// has been kept.
 [[nodiscard]] PathEnsemble cached_ensemble(const Sample& sample, const std::vector<double>& wavelengths_nm,
-                                           const WalkOptions& options, const EnsembleCache& cache);
+                                           const WalkOptions& options, const EnsembleCache& cache,
+                                           const std::stop_token& stop = {});
 
 }  // namespace skinfit

@@ -21,7 +21,8 @@ constexpr std::string_view format = "skinfit paths 2\n";
 
 }  // namespace
 
-void write_ensemble_file(const std::filesystem::path& path, std::string_view key, const PathEnsemble& ensemble) {
+void write_ensemble_file(const std::filesystem::path& path, std::string_view key, const PathEnsemble& ensemble,
+                         const std::stop_token& stop) {
     const PathEnsemble::Recording recording = ensemble.recording();
     const Header header{.rays = ensemble.rays(),
                         .wavelengths = recording.segments.size(),
@@ -29,7 +30,7 @@ void write_ensemble_file(const std::filesystem::path& path, std::string_view key
                         .surface_share = ensemble.surface_share()};
     const std::array parts = {bytes_of(std::span<const Header>(&header, 1)), bytes_of(recording.segments),
                               bytes_of(recording.lengths)};
-    write_stored_file(path, format, key, parts);
+    write_stored_file(path, format, key, parts, stop);
 }
 
 std::variant<PathEnsemble, Unusable> read_ensemble_file(const std::filesystem::path& path, std::string_view key) {

@@ -30,9 +30,10 @@ double size_of_batch(std::uint64_t rays, std::size_t batch) {
     return static_cast<double>(range.end - range.begin);
 }
 
-BatchPaths trace_batch(const LayerStack& stack, const RecordedBatch& batch, const SobolPoints& points) {
+BatchPaths trace_batch(const LayerStack& stack, const RecordedBatch& batch, const SobolPoints& points,
+                       const std::stop_token& stop) {
     BatchPaths paths;
-    for (const RecordedRay& ray : record_batch(stack, batch, points)) {
+    for (const RecordedRay& ray : record_batch(stack, batch, points, stop)) {
         const Side side = ray.exit == Exit::reflected ? Side::top : Side::bottom;
         PerLayer<float> row{};
         std::ranges::transform(ray.lengths, row.begin(), [](double length) { return static_cast<float>(length); });
@@ -65,7 +66,7 @@ PathEnsemble::PathEnsemble(Parts parts)
       owner_(std::move(parts.owner)) {}
 
 PathEnsemble PathEnsemble::trace(const Sample& sample, const std::vector<double>& wavelengths_nm,
-                                 const WalkOptions& options) {
+                                 const WalkOptions& options, const std::stop_token& stop) {
     assert(options.rays >= batch_count);
     const auto lengths = std::make_shared<std::vector<float>>();
     lengths->reserve(wavelengths_nm.size() * options.rays * layer_count);
@@ -84,7 +85,7 @@ PathEnsemble PathEnsemble::trace(const Sample& sample, const std::vector<double>
                                           .rays = range.end - range.begin,
                                           .seed = options.seed,
                                           .number = static_cast<std::uint32_t>(batch)},
-                                         points);
+                                         points, stop);
         });
         segments.push_back({append(batches, 0, *lengths), append(batches, 1, *lengths)});
     }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "model/path_sums.hpp"
@@ -44,9 +45,10 @@ public:
     static constexpr std::size_t batch_count = 32;
 
     /// Traces `options.rays` rays that enter the sample, per wavelength. The same bits on any machine and for any
-    /// number of threads. `options.rays` must be at least `batch_count`.
+    /// number of threads. `options.rays` must be at least `batch_count`. Throws Cancelled soon after `stop` is
+    /// requested.
     [[nodiscard]] static PathEnsemble trace(const Sample& sample, const std::vector<double>& wavelengths_nm,
-                                            const WalkOptions& options);
+                                            const WalkOptions& options, const std::stop_token& stop = {});
 
     /// The share of the light that the surface reflects.
     [[nodiscard]] double surface_share() const { return surface_share_; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/stop.hpp"
 #include "model/group_event.hpp"
 
 namespace skinfit {
@@ -19,7 +20,8 @@ using KeyCounts = std::array<std::uint32_t, order_key_count + 1>;
 
 }  // namespace
 
-std::vector<RecordedRay> record_batch(const LayerStack& stack, const RecordedBatch& batch, const SobolPoints& points) {
+std::vector<RecordedRay> record_batch(const LayerStack& stack, const RecordedBatch& batch, const SobolPoints& points,
+                                      const std::stop_token& stop) {
     std::vector<Group> groups;
     for (int state = 0; state < 4 * stack.layers; ++state) groups.push_back(group_of(stack, state_of(state)));
     std::vector<RecordedRay> recorded(batch.rays);
@@ -35,6 +37,7 @@ std::vector<RecordedRay> record_batch(const LayerStack& stack, const RecordedBat
     begins.fill(static_cast<std::uint32_t>(batch.rays));
     begins[0] = 0;
     for (std::uint32_t event = 1; begins.back() > 0; ++event) {
+        leave_if_cancelled(stop);
         KeyCounts begin_of_key{};
         for (std::size_t state = 0; state < groups.size(); ++state) {
             const std::uint32_t begin = begins[state];

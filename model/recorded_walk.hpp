@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "model/layer_stack.hpp"
@@ -27,8 +28,9 @@ struct RecordedBatch {
 /// Follows the rays of a batch without absorption, all together, event by event: each is a ray of `RandomWalk`, but the
 /// rays of a group, ordered by cosine, share out `RankedNumbers` among them. Any statistic of a batch is unbiased and
 /// varies less than that of as many independent rays; the error of several batches is seen in their scatter.
-/// [LECUYER08] `points` must hold `batch.rays` points.
+/// [LECUYER08] `points` must hold `batch.rays` points. Throws Cancelled at the
+/// next event after `stop` is requested.
 [[nodiscard]] std::vector<RecordedRay> record_batch(const LayerStack& stack, const RecordedBatch& batch,
-                                                    const SobolPoints& points);
+                                                    const SobolPoints& points, const std::stop_token& stop = {});
 
 }  // namespace skinfit

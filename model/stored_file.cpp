@@ -64,7 +64,7 @@ std::optional<MappedFile> map_file(const std::filesystem::path& path) {
 }  // namespace
 
 void write_stored_file(const std::filesystem::path& path, std::string_view format, std::string_view key,
-                       std::span<const std::string_view> parts) {
+                       std::span<const std::string_view> parts, const std::stop_token& stop) {
     assert(format.size() == format_name_length);
     const std::string key_field = padded(key);
     Header header{.format = {}, .key_bytes = key_field.size()};
@@ -73,7 +73,7 @@ void write_stored_file(const std::filesystem::path& path, std::string_view forma
     all.insert(all.end(), parts.begin(), parts.end());
     const std::uint64_t sum = checksum(all);
     all.push_back(bytes_of(std::span<const std::uint64_t>(&sum, 1)));
-    write_scratch_file_atomically(path, all);
+    write_scratch_file_atomically(path, all, stop);
 }
 
 std::variant<StoredData, Unusable> read_stored_file(const std::filesystem::path& path, std::string_view format,

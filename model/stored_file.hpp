@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -15,9 +16,9 @@ namespace skinfit {
 inline constexpr std::size_t format_name_length = 16;
 
 /// Stores `parts` under `key` in the file at `path`. Throws InputError where the file cannot be written; then nothing
-/// has changed.
+/// has changed, as when Cancelled is thrown because `stop` is requested meanwhile.
 void write_stored_file(const std::filesystem::path& path, std::string_view format, std::string_view key,
-                       std::span<const std::string_view> parts);
+                       std::span<const std::string_view> parts, const std::stop_token& stop = {});
 
 /// Why a file is not what was asked for, in words.
 struct Unusable {

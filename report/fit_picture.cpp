@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "fit/gnuplot.hpp"
 #include "measurements/words.hpp"
 #include "report/html.hpp"
+#include "report/tic_step.hpp"
 
 namespace skinfit {
 namespace {
@@ -91,14 +91,6 @@ std::string frame(const PictureSize& size, const Cell& cell, int top, int bottom
 std::string short_name(const FittedSpectrum& spectrum) {
     const std::string quoted = in_quotes(spectrum.name);
     return valid_utf8(quoted.substr(1, quoted.size() - 2));
-}
-
-/// 1, 2 or 5 times a power of ten, four or five of which make `range`; 1 for none.
-double tic_step(double range) {
-    if (!(range > 0.0)) return 1.0;
-    const double decade = std::pow(10.0, std::floor(std::log10(range / 4.0)));
-    const double rest = range / 4.0 / decade;
-    return decade * (rest >= 5.0 ? 5.0 : rest >= 2.0 ? 2.0 : 1.0);
 }
 
 std::string spectrum_panel(const FittedSpectrum& spectrum, std::size_t k) {

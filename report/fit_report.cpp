@@ -63,6 +63,7 @@ HtmlSection provenance_section(const FitResult& result, const ReportOrigin& orig
     const Json json = to_json(configuration);
     std::vector<std::pair<std::string, Html>> items = {{"program", escaped(fmt::format("skinfit {}", version))}};
     if (!origin.command_line.empty()) items.emplace_back("command", element("code", escaped(origin.command_line)));
+    if (!origin.other.empty()) items.emplace_back("made by", escaped(origin.other));
     items.emplace_back(
         "model", escaped(fmt::format("BioSpec [KA04], edition {}, {} layers on base {}", setting_word(json, "edition"),
                                      setting_word(json, "layers"), setting_word(json, "base"))));

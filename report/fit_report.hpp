@@ -9,6 +9,7 @@ namespace skinfit {
 /// What a report states beside the result.
 struct ReportOrigin {
     std::string command_line;  ///< that led to the result; none where it is empty
+    std::string other{};       ///< what else did, and how to have the result again, in words; none where it is empty
 };
 
 /// The report of a fit as one self-contained HTML page: verdict, spectrum and residuals, parameters, what the spectrum

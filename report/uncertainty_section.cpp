@@ -7,6 +7,7 @@
 #include "report/html_figure.hpp"
 #include "report/html_table.hpp"
 #include "report/posterior_picture.hpp"
+#include "report/profile_picture.hpp"
 
 namespace skinfit {
 namespace {
@@ -76,6 +77,19 @@ Html shrinkage(const Identifiability& found) {
     return html_table(table);
 }
 
+Html profiles(const FitResult& result) {
+    return subheading("Profiles") +
+           html_figure(
+               {.picture = profile_picture(result),
+                .alternative = "The rise of the cost along each free parameter, with the ends of the 95 % interval",
+                .caption =
+                    "How much the cost (chi2, and what priors add) rises above its minimum when one parameter is "
+                    "held and the others are adjusted again. Dots: evaluated; the line meets their rises and "
+                    "slopes. A value belongs to the interval up to the threshold, which is lower near a bound. "
+                    "Where the line leaves the parabola, the covariance misjudges the interval; a parameter "
+                    "without sigma has no parabola."});
+}
+
 Html posterior(const FitResult& result) {
     const Posterior& sampled = *result.posterior;
     HtmlTable table{
@@ -109,6 +123,7 @@ Html posterior(const FitResult& result) {
 
 HtmlSection uncertainty_section(const FitResult& result) {
     HtmlSection section{.title = "How sure", .body = kind(result) + correlation_map(result)};
+    if (result.profile) section.body += profiles(result);
     if (result.posterior) section.body += posterior(result);
     section.body += directions(result.identifiability) + shrinkage(result.identifiability);
     return section;

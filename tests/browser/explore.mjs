@@ -98,6 +98,34 @@ onPage("undoes, redoes, and comes back from its link", async (page) => {
     await until(() => hue(page), (now) => now === colour, "the same colour");
 });
 
+onPage("says which measured file its link names, and what to do", async (page) => {
+    await drop(page, "ncsu_113.csv", specimen);
+    await number(page, "melanosome_fraction").fill("0.1");
+    await page.keyboard.press("Tab");
+    await until(() => page.url(), (url) => url.includes("melanosome_fraction=0.1") && url.includes("measured=ncsu_113.csv"), "the link");
+    await page.reload();
+    await page.waitForSelector(".plot canvas");
+    assert.equal(await number(page, "melanosome_fraction").inputValue(), "0.1");
+    const alert = page.getByRole("alert");
+    await alert.waitFor();
+    assert.match(await alert.textContent(), /the measured file ncsu_113\.csv, which a link does not hold.*choose it under .Measured spectra., or drop it there/);
+    await page.screenshot({path: join(pictures, "explore_link_without_file.png")});
+    // The link goes on naming it, so that it can be passed on.
+    assert.ok(page.url().includes("measured=ncsu_113.csv"));
+    await drop(page, "ncsu_113.csv", specimen);
+    await alert.waitFor({state: "detached"});
+    await page.getByRole("button", {name: "Remove ncsu_113.csv"}).click();
+    await until(() => page.url(), (url) => !url.includes("measured="), "a link without it");
+    assert.equal(await alert.count(), 0);
+    await page.evaluate(() => { location.hash = "#scale=1.1&measured=a.csv&measured=b.csv"; });
+    await alert.waitFor();
+    assert.match(await alert.textContent(), /a\.csv and b\.csv/);
+    assert.equal(await number(page, "scale").inputValue(), "1.1");
+    await page.getByRole("button", {name: "Do without"}).click();
+    await alert.waitFor({state: "detached"});
+    await until(() => page.url(), (url) => !url.includes("measured="), "a link without them");
+});
+
 onPage("shows absorption and sensitivity, the tabs by arrow keys", async (page) => {
     await page.getByRole("tab", {name: "spectrum"}).focus();
     await page.keyboard.press("ArrowRight");
@@ -137,6 +165,34 @@ onPage("exports what it shows", async (page) => {
         const [file] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", {name: button, exact: true}).click()]);
         assert.equal(file.suggestedFilename(), name);
         assert.ok(readFileSync(await file.path(), "utf8").includes(holds));
+    }
+});
+
+onPage("exports the report of a fit, a page that stands on its own", async (page) => {
+    await fitSpecimen(page);
+    const [file] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", {name: "report of fit 1 as html"}).click()]);
+    assert.equal(file.suggestedFilename(), "fit_1.html");
+    const path = join(pictures, "fit_1.html");
+    await file.saveAs(path);
+    const text = readFileSync(path, "utf8");
+    assert.ok(text.startsWith("<!DOCTYPE html>"));
+    assert.ok(text.length < 2 * 1024 * 1024, `${text.length} bytes`);
+    assert.ok(text.includes("ncsu_113.csv") && text.includes("skinfit explore"));
+    assert.ok(!text.includes("<script"));
+    const report = await page.context().newPage();
+    try {
+        const complaints = [];
+        report.on("console", (message) => { if (message.type() === "error") complaints.push(message.text()); });
+        report.on("request", (request) => { if (!/^(file|data):/.test(request.url())) complaints.push(request.url()); });
+        await report.goto(`file://${path}`);
+        assert.match(await report.locator(".badge").first().textContent(), /^(trustworthy|suspect)$/);
+        const spectrum = report.getByRole("img", {name: /^Measured and modelled reflectance/});
+        assert.ok(await spectrum.evaluate((image) => image.complete && image.naturalWidth > 100));
+        // Its own style holds: the policy inside it allows that, and no other applies to a saved file.
+        assert.equal(await report.locator(".badge").first().evaluate((badge) => getComputedStyle(badge).display), "inline-block");
+        assert.deepEqual(complaints, []);
+    } finally {
+        await report.close();
     }
 });
 

@@ -6,7 +6,7 @@ import {pathToFileURL} from "node:url";
 
 const load = (name) => import(pathToFileURL(join(process.argv[2], name)));
 const {scaleOf, rounded, shown, withSigma} = await load("scale.js");
-const {begun, changed, fragmentOf, modelFrom, redone, undone} = await load("state.js");
+const {begun, changed, fragmentOf, inWordsNotLoaded, modelFrom, notLoaded, redone, undone, withMeasured} = await load("state.js");
 
 const parameters = [
     {lower: 0, upper: 0.5, default: 0.052},
@@ -60,6 +60,19 @@ test("a link with mistakes says so and keeps the rest", () => {
     assert.equal(complaints.length, 3);
     assert.equal(model.values.scale, 2);
     assert.equal(model.values.melanosome_fraction, 0.052);
+});
+
+test("a link names measured files without their folders, and tells those that are missing", () => {
+    const model = {...defaults, values: {melanosome_fraction: 0.1, scale: 1}};
+    const fragment = withMeasured(fragmentOf(model, defaults), ["/home/me/arm & leg.csv", "C:\\data\\b=c.csv", "other/arm & leg.csv"]);
+    assert.ok(!/home|data|other/.test(fragment));
+    assert.deepEqual(modelFrom("#" + fragment, defaults), {model, complaints: []});
+    assert.deepEqual(notLoaded("#" + fragment, []), ["arm & leg.csv", "b=c.csv"]);
+    assert.deepEqual(notLoaded("#" + fragment, ["/elsewhere/b=c.csv"]), ["arm & leg.csv"]);
+    assert.deepEqual(notLoaded("#" + fragment, ["arm & leg.csv", "b=c.csv", "more.csv"]), []);
+    assert.deepEqual(notLoaded("", ["a.csv"]), []);
+    assert.equal(withMeasured("", []), "");
+    assert.match(inWordsNotLoaded(["a.csv", "b.csv"]), /a\.csv and b\.csv.*choose them/);
 });
 
 test("undo and redo go back and forth, a movement in one step", () => {

@@ -12,6 +12,7 @@
 #include "measurements/text_reader.hpp"
 #include "model/parameters.hpp"
 #include "tests/explore/asking.hpp"
+#include "tests/report/tag_balance.hpp"
 
 namespace skinfit {
 namespace {
@@ -141,6 +142,42 @@ TEST_F(Asked, AFitIsThatOfTheLibrary) {
     EXPECT_NE(state["documents"]["text"].get<std::string>().find("verdict"), std::string::npos);
 }
 
+TEST_F(Asked, TheReportOfAFitIsThePageOfItsResult) {
+    const Json upload = ask("POST", "/api/spectra", read_file(specimen), "ncsu_113.csv").json;
+    const Answer started = post("/api/fit", {{"source", "ncsu_113.csv"}, {"measured", upload["measured"]}});
+    ASSERT_EQ(started.status, 200) << started.json;
+    const std::string name = started.json["name"].get<std::string>();
+    const Json documents = ended(name)["documents"];
+    const ApiAnswer report = api_.answer({.method = "GET", .path = "/api/report", .name = name, .body = ""});
+    ASSERT_EQ(report.status, 200) << report.body;
+    EXPECT_EQ(report.saved_as, "fit_" + name + ".html");
+    EXPECT_TRUE(report.body.starts_with("<!DOCTYPE html>"));
+    EXPECT_EQ(test::tag_complaint(report.body), "");
+    EXPECT_NE(report.body.find("class=\"badge"), std::string::npos);
+    EXPECT_NE(report.body.find("data:image/svg+xml;base64,"), std::string::npos);
+    EXPECT_LT(report.body.size(), std::size_t{2} << 20U);
+    // What it promises of the block that it holds.
+    EXPECT_NE(report.body.find("a page sent a spectrum of ncsu_113.csv. A command repeats it: skinfit fit FILE "
+                               "--config result.json"),
+              std::string::npos);
+    const Configuration again = configured(default_configuration(), documents["report"], "result.json");
+    const FitResult repeated = fit_spectrum(again, read_spectrum(specimen), {.cache = test::no_cache()});
+    EXPECT_EQ(json_report(repeated)["parameters"], documents["report"]["parameters"]);
+}
+
+TEST_F(Asked, ThereIsNoReportOfAFitThatIsNotDone) {
+    EXPECT_EQ(ask("GET", "/api/report", "", "1").status, 404);
+    EXPECT_EQ(ask("GET", "/api/report", "", "../fit").status, 404);
+    const Json upload = ask("POST", "/api/spectra", read_file(specimen), "ncsu_113.csv").json;
+    const Json endless = {{"configuration", {{"engine", "solver"}, {"starts", 1000}}},
+                          {"measured", upload["measured"]}};
+    const std::string name = post("/api/fit", endless).json["name"].get<std::string>();
+    EXPECT_EQ(ask("GET", "/api/report", "", name).status, 404);
+    EXPECT_EQ(ask("DELETE", "/api/fit", "", name).status, 200);
+    EXPECT_EQ(ended(name)["state"], "cancelled");
+    EXPECT_EQ(ask("GET", "/api/report", "", name).status, 404);
+}
+
 TEST_F(Asked, AFitThatMakesNoSenseFailsWithItsReason) {
     EXPECT_EQ(post("/api/fit", {{"measured", Json::array()}}).status, 400);
     EXPECT_EQ(post("/api/fit", {{"measured", "text"}}).status, 400);
@@ -183,6 +220,22 @@ TEST_F(Asked, SoDoesOneThatIsEstimatingItsUncertainty) {
         EXPECT_EQ(ask("DELETE", "/api/fit", "", name).status, 200);
         EXPECT_EQ(ended(name)["state"], "cancelled") << uncertainty;
     }
+}
+
+TEST_F(Asked, SoDoesOneThatIsRecordingWalks) {
+    const Json upload = ask("POST", "/api/spectra", read_file(specimen), "ncsu_113.csv").json;
+    const Json configuration = {{"engine", "paths"}, {"rays", 3'000'000}};
+    const Answer started = post("/api/fit", {{"configuration", configuration}, {"measured", upload["measured"]}});
+    ASSERT_EQ(started.status, 200) << started.json;
+    const std::string name = started.json["name"].get<std::string>();
+    while (ask("GET", "/api/fit", "", name).json["progress"]["stage"] != "preparing the model") {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    EXPECT_EQ(ask("DELETE", "/api/fit", "", name).status, 200);
+    const Json state = ended(name);
+    EXPECT_EQ(state["state"], "cancelled");
+    EXPECT_EQ(state["progress"]["stage"], "preparing the model");
 }
 
 TEST_F(Asked, NoMoreThanTwoFitsRun) {

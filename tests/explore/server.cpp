@@ -5,9 +5,12 @@
 
 #include <thread>
 
+#include "core/file.hpp"
 #include "core/input_error.hpp"
+#include "core/json.hpp"
 #include "explore/guard.hpp"
 #include "explore/page.hpp"
+#include "tests/fit/synthetic.hpp"
 
 namespace skinfit {
 namespace {
@@ -26,7 +29,7 @@ protected:
 
     [[nodiscard]] httplib::Headers with_token() const { return {{token_header, server_.token()}}; }
 
-    Api api_{EnsembleCache{.folder = std::nullopt, .warn = {}, .inform = {}}, std::nullopt};
+    Api api_{test::no_cache(), std::nullopt};
     Server server_{api_, 0};
     httplib::Client client_{"127.0.0.1", server_.port()};
     std::thread thread_;
@@ -52,7 +55,7 @@ TEST_F(Serving, AnswersToItsOwnNameAlone) {
 }
 
 TEST_F(Serving, EveryAnswerCarriesThePolicy) {
-    for (const char* path : {"/", "/api/vocabulary", "/nowhere", "/api/fit"}) {
+    for (const char* path : {"/", "/api/vocabulary", "/nowhere", "/api/fit", "/api/report"}) {
         const httplib::Result result = client_.Get(path);
         const std::string policy = result->get_header_value("Content-Security-Policy");
         EXPECT_NE(policy.find("default-src 'none'"), std::string::npos) << path;
@@ -61,6 +64,35 @@ TEST_F(Serving, EveryAnswerCarriesThePolicy) {
         EXPECT_EQ(result->get_header_value("Referrer-Policy"), "no-referrer");
         EXPECT_FALSE(result->has_header("Access-Control-Allow-Origin"));
     }
+}
+
+TEST_F(Serving, NoAnswerIsShownByABrowserThatIsSentToIt) {
+    for (const char* path : {"/api/vocabulary", "/api/fit?name=1", "/api/report?name=1", "/nowhere"}) {
+        const httplib::Result result = client_.Get(path, with_token());
+        EXPECT_EQ(result->get_header_value("Content-Disposition"), "attachment; filename=\"answer.json\"") << path;
+    }
+}
+
+TEST_F(Serving, AReportIsSavedUnderTheRulesOfEveryAnswer) {
+    const std::string specimen = read_file(SKINFIT_SOURCE_DIR "/measurements/data/ncsu_113.csv");
+    const httplib::Result file = client_.Post("/api/spectra?name=a.csv", with_token(), specimen, "text/csv");
+    const Json order = {{"source", "a.csv"}, {"measured", Json::parse(file->body)["measured"]}};
+    ASSERT_EQ(client_.Post("/api/fit", with_token(), order.dump(), "application/json")->status, 200);
+    while (Json::parse(client_.Get("/api/fit?name=1", with_token())->body)["state"] == "running") {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    EXPECT_EQ(client_.Get("/api/report?name=1")->status, 403);
+    const httplib::Result report = client_.Get("/api/report?name=1", with_token());
+    ASSERT_EQ(report->status, 200) << report->body;
+    EXPECT_EQ(report->get_header_value("Content-Type"), "text/html; charset=utf-8");
+    EXPECT_EQ(report->get_header_value("Content-Disposition"), "attachment; filename=\"fit_1.html\"");
+    EXPECT_EQ(report->get_header_value("X-Content-Type-Options"), "nosniff");
+    // Shown in spite of that it could load and run nothing, not even its own style.
+    EXPECT_NE(report->get_header_value("Content-Security-Policy").find("default-src 'none'"), std::string::npos);
+    // Saved it has no headers: the policy inside it allows its own style and pictures, and nothing else.
+    EXPECT_NE(report->body.find("content=\"default-src 'none'; img-src data:; style-src 'unsafe-inline'"),
+              std::string::npos);
+    EXPECT_EQ(report->body.find(server_.token()), std::string::npos);
 }
 
 TEST_F(Serving, ThePageHoldsNoSecret) {

@@ -1,6 +1,7 @@
 #include "tests/fit/example_result.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "fit/diagnosis.hpp"
 
@@ -145,6 +146,31 @@ FitResult trustworthy_result() {
     result.answer.minimum.cost = result.cost;
     result.answer.minimum.converged = true;
     result.minima = {{.minimum = result.answer.minimum, .searches = 8}};
+    judge(result);
+    return result;
+}
+
+FitResult profiled_result() {
+    FitResult result = example_result();
+    result.configuration.uncertainty = UncertaintyMethod::profile;
+    result.profile = Profile{.intervals = {}, .minimum = {}, .cost = 31.5, .better_minimum = false, .evaluations = 53};
+    for (const FittedParameter& free : result.free) {
+        const auto& [lower, upper] = free.uncertainty.interval_95;
+        const double sigma = (upper - lower) / 4.0;
+        ProfileCurve curve;
+        for (const double at : {lower, free.value, upper}) {
+            const double distance = (at - free.value) / sigma;
+            curve.push_back(
+                {.at = at, .cost_rise = std::pow(distance, 2), .cost_slope = 2.0 * distance / sigma, .sigma = sigma});
+        }
+        const auto repeated = std::ranges::unique(curve, {}, &ProfilePoint::at);
+        curve.erase(repeated.begin(), repeated.end());
+        result.profile->intervals.push_back({.lower = lower,
+                                             .upper = upper,
+                                             .open_below = lower == free.bounds.lower,
+                                             .open_above = upper == free.bounds.upper,
+                                             .curve = curve});
+    }
     judge(result);
     return result;
 }

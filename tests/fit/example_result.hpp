@@ -10,6 +10,9 @@ namespace skinfit::test {
 /// The same where all is well: one free parameter, verdict trustworthy.
 [[nodiscard]] FitResult trustworthy_result();
 
+/// The first example with profiles, of which each leaves its parabola.
+[[nodiscard]] FitResult profiled_result();
+
 /// The trustworthy one with a posterior in which one step diverged: suspect.
 [[nodiscard]] FitResult sampled_result();
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/file.hpp"
+#include "core/stop.hpp"
 #include "model/chromophores.hpp"
 
 namespace skinfit::test {
@@ -66,6 +67,15 @@ TEST_F(EmulatorCacheTest, GivesBackTheSameBitsWithoutBuilding) {
     EXPECT_EQ(builds, 1);
     expect_same_bits(built, read);
     EXPECT_TRUE(warnings.empty());
+}
+
+TEST_F(EmulatorCacheTest, KeepsNothingOfWhatIsCancelled) {
+    std::stop_source stop;
+    DiskCache stopping = cache();
+    stopping.inform = [&](const std::string&) { stop.request_stop(); };
+    EXPECT_THROW((void)cached_emulator(domain(), stopping, stop.get_token()), Cancelled);
+    EXPECT_FALSE(fs::exists(folder));
+    expect_same_bits(cached_emulator(domain(), cache()), Emulator::build(domain()));
 }
 
 TEST_F(EmulatorCacheTest, BuildsAnewForAnotherDomain) {

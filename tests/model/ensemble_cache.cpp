@@ -10,6 +10,8 @@
 
 #include "core/file.hpp"
 #include "core/input_error.hpp"
+#include "core/stop.hpp"
+#include "model/ensemble_file.hpp"
 #include "model/parameters.hpp"
 
 namespace skinfit::test {
@@ -64,6 +66,24 @@ void expect_same_bits(const PathEnsemble& a, const PathEnsemble& b) {
             EXPECT_EQ(of_a.batch_begins, of_b.batch_begins);
         }
     }
+}
+
+TEST_F(CacheTest, KeepsNothingOfWhatIsCancelled) {
+    std::stop_source stop;
+    EnsembleCache stopping = cache();
+    stopping.inform = [&](const std::string&) { stop.request_stop(); };
+    EXPECT_THROW((void)cached_ensemble({}, wavelengths_nm, walk, stopping, stop.get_token()), Cancelled);
+    EXPECT_FALSE(fs::exists(folder));
+    (void)get();
+    const PathEnsemble traced = PathEnsemble::trace({}, wavelengths_nm, walk);
+    // Nor does it leave a part where it is cancelled while it is written, or touch what is there.
+    const fs::path kept = files().front();
+    const std::string before = read_file(kept);
+    EXPECT_THROW(write_ensemble_file(kept, "key", traced, stop.get_token()), Cancelled);
+    EXPECT_EQ(files(), std::vector<fs::path>{kept});
+    EXPECT_EQ(read_file(kept), before);
+    expect_same_bits(get(), traced);
+    EXPECT_EQ(recordings, 1);
 }
 
 void overwrite(const fs::path& path, const std::string& bytes) {

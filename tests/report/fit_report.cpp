@@ -21,7 +21,8 @@ bool holds(const std::string& text, const std::string& part) {
 }
 
 TEST(FitReport, IsWellFormedForEveryKindOfResult) {
-    for (const FitResult& result : {test::example_result(), test::trustworthy_result(), test::sampled_result()}) {
+    for (const FitResult& result :
+         {test::example_result(), test::trustworthy_result(), test::sampled_result(), test::profiled_result()}) {
         EXPECT_EQ(test::tag_complaint(report_of(result)), "");
     }
 }
@@ -68,6 +69,21 @@ TEST(FitReport, MarksWhatIsAtABoundOrNotIdentifiable) {
         EXPECT_TRUE(holds(report, remark)) << remark;
     }
     EXPECT_FALSE(holds(report_of(test::trustworthy_result()), "BOUND"));
+}
+
+TEST(FitReport, SaysWhereItComesFrom) {
+    const FitResult result = test::trustworthy_result();
+    const std::string by_command = report_of(result);
+    EXPECT_TRUE(holds(by_command, "<dt>command</dt>"));
+    EXPECT_FALSE(holds(by_command, "<dt>made by</dt>"));
+    const std::string by_other = html_report(result, {.command_line = "", .other = "a page & <b>more</b>"});
+    EXPECT_FALSE(holds(by_other, "<dt>command</dt>"));
+    EXPECT_TRUE(holds(by_other, "<dt>made by</dt><dd>a page &amp; &lt;b&gt;more&lt;/b&gt;</dd>"));
+}
+
+TEST(FitReport, DrawsProfilesWhereThereAreSome) {
+    EXPECT_TRUE(holds(report_of(test::profiled_result()), "<h3>Profiles</h3>"));
+    EXPECT_FALSE(holds(report_of(test::example_result()), "<h3>Profiles</h3>"));
 }
 
 TEST(FitReport, SpellsOutWhatItCites) {

@@ -8,6 +8,7 @@
 #include "report/interval_picture.hpp"
 #include "report/light_budget.hpp"
 #include "report/posterior_picture.hpp"
+#include "report/profile_picture.hpp"
 #include "report/spectrum_colour.hpp"
 #include "tests/fit/example_result.hpp"
 
@@ -111,6 +112,19 @@ TEST(FittedExperiment, GivesAParameterOfItsOwnToItsSpectrumAlone) {
     EXPECT_EQ(fitted_experiment(result, 0).values.skin.oxygen_saturation, 0.2);
     EXPECT_EQ(fitted_experiment(result, 1).values.skin.oxygen_saturation, 0.9);
     EXPECT_EQ(fitted_experiment(result, 1).values.skin.melanosome_fraction, 0.0234567);
+}
+
+TEST(ProfilePicture, NamesEveryParameterAndEveryLine) {
+    FitResult result = test::profiled_result();
+    const std::string picture = profile_picture(result);
+    for (const FittedParameter& free : result.free) EXPECT_NE(picture.find(free.name), std::string::npos) << free.name;
+    for (const char* words :
+         {"profile", "95 % threshold", "95 % interval", "parabola of the covariance", "out of bounds"}) {
+        EXPECT_NE(picture.find(words), std::string::npos) << words;
+    }
+    // Every curve tells: another one is another picture.
+    result.profile->intervals.back().curve.back().cost_rise += 1.0;
+    EXPECT_NE(profile_picture(result), picture);
 }
 
 TEST(Histogram, CountsEveryValueOnce) {

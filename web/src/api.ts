@@ -5,10 +5,13 @@ export class ServerGone extends Error {}
 
 const token = new URLSearchParams(location.search).get("token") ?? "";
 
-async function ask(method: string, address: string, body?: string | ArrayBuffer): Promise<unknown> {
-    let response: Response;
+const inJson = (response: Response): Promise<unknown> =>
+    response.json().catch(() => ({error: `an answer that is no JSON, status ${response.status}`}));
+
+async function response(method: string, address: string, body?: string | ArrayBuffer): Promise<Response> {
+    let answer: Response;
     try {
-        response = await fetch(`api/${address}`, {
+        answer = await fetch(`api/${address}`, {
             method,
             headers: {"X-Skinfit-Token": token},
             ...(body === undefined ? {} : {body}),
@@ -16,10 +19,11 @@ async function ask(method: string, address: string, body?: string | ArrayBuffer)
     } catch {
         throw new ServerGone("skinfit does not answer");
     }
-    const answer = await response.json().catch(() => ({error: `an answer that is no JSON, status ${response.status}`}));
-    if (!response.ok) throw new Error(answer.error ?? `status ${response.status}`);
-    return answer;
+    if (answer.ok) return answer;
+    throw new Error(((await inJson(answer)) as {error?: string}).error ?? `status ${answer.status}`);
 }
+
+const ask = async (method: string, address: string, body?: string | ArrayBuffer) => inJson(await response(method, address, body));
 
 const post = (address: string, json: unknown) => ask("POST", address, JSON.stringify(json));
 
@@ -38,5 +42,6 @@ export const api = {
         ask("POST", `spectra?name=${encodeURIComponent(name)}`, bytes) as Promise<MeasuredFile>,
     startFit: (order: Order) => post("fit", order) as Promise<{name: string}>,
     fit: (name: string) => ask("GET", `fit?name=${name}`) as Promise<FitState>,
+    report: async (name: string) => (await response("GET", `report?name=${name}`)).text(),
     cancelFit: (name: string) => ask("DELETE", `fit?name=${name}`),
 };

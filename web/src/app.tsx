@@ -5,7 +5,9 @@ import {Fits, type Fit} from "./fits";
 import {Following} from "./following";
 import {MeasuredFiles, opened, type OpenFile} from "./measured";
 import {Parameters, type Change} from "./parameters";
-import {begun, changed, configurationOf, defaultsOf, fragmentOf, modelFrom, redone, undone, type History} from "./state";
+import {
+    begun, changed, configurationOf, defaultsOf, fragmentOf, inWordsNotLoaded, modelFrom, notLoaded, redone, undone, withMeasured, type History,
+} from "./state";
 import type {Simulation, Vocabulary} from "./types";
 import {Swatch, Views} from "./views";
 
@@ -15,6 +17,8 @@ export function App({vocabulary}: {vocabulary: Vocabulary}) {
     const [history, setHistory] = useState<History>(() => begun(linked.model));
     const [simulation, setSimulation] = useState<Simulation>();
     const [files, setFiles] = useState<OpenFile[]>(() => (vocabulary.file ? [opened(vocabulary.file)] : []));
+    const sources = files.map(({source}) => source);
+    const [named, setNamed] = useState(() => notLoaded(location.hash, sources));  // by the link, and not here
     const [fits, setFits] = useState<Fit[]>([]);
     const [problem, setProblem] = useState(linked.complaints.join("; "));
     const [trouble, setTrouble] = useState("");  // what keeps the curve from following the sliders
@@ -33,6 +37,8 @@ export function App({vocabulary}: {vocabulary: Vocabulary}) {
         setSimulation(answer);
     }, telling(setTrouble)), []);
     const moved = useRef<number>();
+    const loaded = useRef(sources);
+    loaded.current = sources;
     const change: Change = useCallback((next, settles = true, event) => {
         moved.current = event?.type === "input" ? event.timeStamp : undefined;
         setHistory((all) => changed(all, next, settles));
@@ -41,14 +47,16 @@ export function App({vocabulary}: {vocabulary: Vocabulary}) {
     useLayoutEffect(() => simulating.want(model, moved.current), [model]);
     useEffect(() => {
         if (history.isMoving) return;
-        const fragment = fragmentOf(model, defaults);
+        const fragment = withMeasured(fragmentOf(model, defaults), [...sources, ...named]);
         window.history.replaceState(null, "", fragment ? `#${fragment}` : location.pathname + location.search);
-    }, [history]);
+    }, [history, files, named]);
+    useEffect(() => setNamed((all) => notLoaded(withMeasured("", all), sources)), [files]);
     useEffect(() => {
         const onLink = () => {
             const {model: next, complaints} = modelFrom(location.hash, defaults);
             setProblem(complaints.join("; "));
             setHistory((all) => changed(all, next));
+            setNamed(notLoaded(location.hash, loaded.current));
         };
         const onKey = (event: KeyboardEvent) => {
             const inText = event.target instanceof HTMLInputElement && ["number", "text"].includes(event.target.type);
@@ -110,6 +118,9 @@ export function App({vocabulary}: {vocabulary: Vocabulary}) {
             {trouble && <p class="banner problem" role="alert">{trouble}; the curve is that of before</p>}
             {problem && (
                 <p class="banner problem" role="alert">{problem} <button type="button" onClick={() => setProblem("")}>Dismiss</button></p>
+            )}
+            {named.length > 0 && (
+                <p class="banner problem" role="alert">{inWordsNotLoaded(named)} <button type="button" onClick={() => setNamed([])}>Do without</button></p>
             )}
             <p class="hidden" role="status" aria-live="polite">{news}</p>
             <main>

@@ -137,7 +137,26 @@ function valueOf({value, sigma, status, interval_95: [lower, upper]}: FittedPara
     return `${shown(value)}, ${shown(lower, 3)} to ${shown(upper, 3)}`;
 }
 
-function Comparison({vocabulary, model, change, fits, setFits}: FitsProps) {
+/// Draws the report of a fit for people, which takes a moment, and gives it to the reader.
+function PageButton({fit: {number, job}, say, onError}: {fit: Fit} & Pick<FitsProps, "say" | "onError">) {
+    const [isDrawn, setDrawn] = useState(true);
+    const draw = async () => {
+        setDrawn(false);
+        try {
+            download(`fit_${number}.html`, await api.report(job));
+            say(`the report of fit ${number} is there`);
+        } catch (error) {
+            onError(error);
+        }
+        setDrawn(true);
+    };
+    return (
+        <button type="button" aria-label={`report of fit ${number} as html`} disabled={!isDrawn} onClick={() => void draw()}
+            title="one page with pictures, to be read, printed or attached">{isDrawn ? "HTML" : "HTML …"}</button>
+    );
+}
+
+function Comparison({vocabulary, model, change, fits, setFits, say, onError}: FitsProps) {
     const rows = [...new Set(fits.flatMap(({report}) =>
         Object.entries(report!.parameters).filter(([, {status}]) => status !== "fixed").map(([name]) => name)))];
     const unitOf = (name: string) => vocabulary.parameters.find((each) => each.name === name)?.unit ?? "";
@@ -184,19 +203,20 @@ function Comparison({vocabulary, model, change, fits, setFits}: FitsProps) {
                     </tr>
                     <tr>
                         <th scope="row"><span class="hidden">actions</span></th>
-                        {cells((report, {number, state}) => (
+                        {cells((report, fit) => (
                             <div class="actions">
                                 <button type="button" onClick={() => change(withFitted(model, report))}
-                                    aria-label={`sliders to fit ${number}`}>To sliders</button>
-                                {Object.entries(state.documents!).map(([form, document]) => (
-                                    <button type="button" aria-label={`report of fit ${number} as ${endings[form] ?? form}`}
-                                        onClick={() => download(`fit_${number}.${endings[form] ?? form}`,
+                                    aria-label={`sliders to fit ${fit.number}`}>To sliders</button>
+                                {Object.entries(fit.state.documents!).map(([form, document]) => (
+                                    <button type="button" aria-label={`report of fit ${fit.number} as ${endings[form] ?? form}`}
+                                        onClick={() => download(`fit_${fit.number}.${endings[form] ?? form}`,
                                             typeof document === "string" ? document : JSON.stringify(document, null, 2))}>
                                         {(endings[form] ?? form).toUpperCase()}
                                     </button>
                                 ))}
-                                <button type="button" aria-label={`remove fit ${number}`}
-                                    onClick={() => setFits((all) => all.filter((fit) => fit.number !== number))}>Remove</button>
+                                <PageButton fit={fit} say={say} onError={onError} />
+                                <button type="button" aria-label={`remove fit ${fit.number}`}
+                                    onClick={() => setFits((all) => all.filter(({number}) => number !== fit.number))}>Remove</button>
                             </div>
                         ))}
                     </tr>

@@ -59,6 +59,7 @@ export function modelFrom(fragment: string, defaults: Model): {model: Model; com
     const model = structuredClone(defaults);
     const complaints: string[] = [];
     for (const [name, text] of new URLSearchParams(fragment.replace(/^#/, ""))) {
+        if (name === measuredKey) continue;
         if (name === "free") {
             const free = text.split(",").filter(Boolean);
             const unknown = free.filter((each) => !(each in defaults.values));
@@ -75,6 +76,34 @@ export function modelFrom(fragment: string, defaults: Model): {model: Model; com
         }
     }
     return {model, complaints};
+}
+
+/// The name under which a link names files: of measured files, which it does not hold.
+const measuredKey = "measured";
+
+/// A file's name without its folders.
+const baseName = (source: string): string => source.split(/[/\\]/).at(-1) ?? source;
+
+/// `fragment` with the names of measured files.
+export function withMeasured(fragment: string, sources: string[]): string {
+    const parts = new URLSearchParams(fragment);
+    for (const name of new Set(sources.map(baseName))) parts.append(measuredKey, name);
+    return parts.toString();
+}
+
+/// The measured files that a fragment names and that are not among `sources`.
+export function notLoaded(fragment: string, sources: string[]): string[] {
+    const named = new URLSearchParams(fragment.replace(/^#/, "")).getAll(measuredKey);
+    const loaded = new Set(sources.map(baseName));
+    return [...new Set(named)].filter((name) => name !== "" && !loaded.has(name));
+}
+
+/// What to do about measured files that a link names and that are not loaded, in words.
+export function inWordsNotLoaded(names: string[]): string {
+    const are = names.length === 1 ? "the measured file" : "the measured files";
+    const it = names.length === 1 ? "it" : "them";
+    return `The link was made with ${are} ${names.join(" and ")}, which a link does not hold. The sliders are restored; to see and fit ` +
+        `the measurement as well, choose ${it} under “Measured spectra”, or drop ${it} there.`;
 }
 
 /// The models that were, the one that is, and those that undo has left behind.
