@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "app/commands.hpp"
 #include "app/progress_line.hpp"
 #include "app/shared_options.hpp"

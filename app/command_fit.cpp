@@ -117,21 +117,24 @@ void check_samples(const FitCommand& command, const Configuration& configuration
                       .remedy = "add --uncertainty posterior"});
 }
 
-/// The result, with a bar while it is looked for, and without one where Ctrl-C ends it.
+/// The result, with a bar while it is looked for; none where Ctrl-C ends the search.
 std::optional<FitResult> fitted(const FitCommand& command, const Configuration& configuration,
                                 const std::vector<Spectrum>& spectra, const std::vector<Finding>& findings,
                                 Session& session) {
     ProgressLine line(session, "fitting");
-    const FitWatch watch{.stop = session.interrupt.graceful(""), .progress = [&line](const FitProgress& now) {
-                             line.show({.what = std::string(now.stage), .done = now.done, .total = now.total});
-                         }};
+    const FitWatch watch{.stop = session.interrupt.graceful(""),
+                         .progress =
+                             [&line](const FitProgress& now) {
+                                 line.show({.what = std::string(now.stage), .done = now.done, .total = now.total});
+                             },
+                         .keeps_partial_result = true};
     try {
         return fit_spectra(configuration, spectra,
                            {.cross_check = command.cross_check,
                             .cache = cache_from(command.shared, line),
                             .findings = findings,
                             .watch = watch});
-    } catch (const FitCancelled&) {
+    } catch (const Cancelled&) {
         line.end();
         say_line("interrupted; there is no result yet, and nothing was written");
         return std::nullopt;
@@ -139,7 +142,10 @@ std::optional<FitResult> fitted(const FitCommand& command, const Configuration& 
 }
 
 void write_files(const FitCommand& command, const FitResult& result, const Session& session) {
-    if (!command.samples.empty()) {
+    if (!command.samples.empty() && !result.posterior) {
+        say_line(fmt::format("{}: not written; the posterior was not finished", command.samples.string()));
+    }
+    if (!command.samples.empty() && result.posterior) {
         std::vector<std::string> names;
         for (const FittedParameter& free : result.free) names.push_back(free.name);
         write_file_atomically(command.samples, samples_csv(*result.posterior, names));
@@ -166,6 +172,7 @@ int run(const FitCommand& command, Session& session) {
     write_files(command, *result, session);
     write_output(command.shared,
                  command.shared.format == "json" ? json_text(json_report(*result)) : text_report(*result));
+    if (session.interrupt.signal()) return session.interrupt.exit_code();
     return result->verdict == Verdict::trustworthy ? trustworthy_result : result_with_warning;
 }
 

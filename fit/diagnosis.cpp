@@ -1,6 +1,7 @@
 #include "fit/diagnosis.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -99,6 +100,12 @@ void judge_parameters(const FitResult& result, std::vector<std::string>& reasons
     }
 }
 
+void judge_end(const FitResult& result, std::vector<std::string>& reasons) {
+    if (result.unfinished.empty()) return;
+    reasons.push_back(fmt::format("INTERRUPTED before it had {}; run the fit again for the rest",
+                                  fmt::join(result.unfinished, " and ")));
+}
+
 void judge_sampling(const FitResult& result, std::vector<std::string>& reasons) {
     if (result.profile && result.profile->better_minimum) {
         reasons.emplace_back(
@@ -161,6 +168,7 @@ Diagnosis diagnose(const FitResult& result) {
                             (result.monte_carlo_error / result.median_sigma / monte_carlo_share) *
                             (result.monte_carlo_error / result.median_sigma / monte_carlo_share)));
     }
+    judge_end(result, reasons);
     judge_sampling(result, reasons);
     judge_solvers(result, reasons);
     return {.verdict = reasons.empty() ? Verdict::trustworthy : Verdict::suspect, .reasons = std::move(reasons)};

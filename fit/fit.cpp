@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fit/configuration_json.hpp"
 #include "fit/diagnosis.hpp"
 #include "fit/inference.hpp"
 #include "fit/misfit_description.hpp"
@@ -50,6 +51,29 @@ std::vector<SolverAnswer> other_answers(const Objective& cheap, const Objective&
             {.solver = solver, .minimum = std::move(other.minima.front().minimum), .seconds = other.seconds});
     }
     return answers;
+}
+
+/// What is computed once the minimum is known, as far as it got.
+struct AfterSearch {
+    std::optional<Inference> inference;   ///< none where it was stopped
+    std::vector<SolverAnswer> others;     ///< of the cross-check
+    std::vector<std::string> unfinished;  ///< in words
+};
+
+AfterSearch after_search(const Objective& cheap, const Objective& objective, const Minimum& minimum,
+                         const Configuration& configuration, const FitOptions& options) {
+    AfterSearch after;
+    try {
+        after.inference = infer(objective, minimum, configuration.uncertainty, configuration.seed);
+        if (options.cross_check) after.others = other_answers(cheap, objective, configuration, options.watch);
+    } catch (const Cancelled&) {
+        if (!options.watch.keeps_partial_result) throw;
+        if (!after.inference)
+            after.unfinished.push_back(fmt::format("the intervals by {} (those shown are by covariance)",
+                                                   to_json(configuration)["uncertainty"].get<std::string>()));
+        if (options.cross_check) after.unfinished.emplace_back("the cross-check");
+    }
+    return after;
 }
 
 std::vector<std::string> priors_in_words(const FitProblem& problem) {
@@ -120,16 +144,24 @@ FitResult fit_spectra(const Configuration& configuration, std::span<const Spectr
     const std::vector<ForwardModel> models =
         options.models ? options.models(problem, configuration.engine)
                        : make_models(problem, configuration.engine, options.cache, watch.stop);
-    const Objective objective(problem, models, watch.stop);
+    const Objective watched(problem, models, watch.stop);
     const Objective cheap(problem, cheap_models(problem, models), watch.stop);
-    Search found = search(cheap, objective, configuration.solver, configuration.starts, {}, watch);
+    Search found = search(cheap, watched, configuration.solver, configuration.starts, {}, watch);
     watch.tell({.stage = "estimating the uncertainty", .done = 0, .total = 1});
-    const Inference inference =
-        infer(objective, found.minima.front().minimum, configuration.uncertainty, configuration.seed);
+    AfterSearch after = after_search(cheap, watched, found.minima.front().minimum, configuration, options);
+    // A stop ends what heeds it, and must not end what is left to do.
+    std::optional<Objective> unwatched;
+    if (watch.keeps_partial_result) unwatched.emplace(problem, models);
+    const Objective& objective = unwatched ? *unwatched : watched;
+    const Inference inference = after.inference ? *after.inference
+                                                : infer(objective, found.minima.front().minimum,
+                                                        UncertaintyMethod::covariance, configuration.seed);
     const Minimum& minimum = inference.minimum;
 
     FitResult result;
     result.configuration = spectra.size() == 1 ? resolved(configuration, spectra.front()) : configuration;
+    if (!after.inference) result.configuration.uncertainty = UncertaintyMethod::covariance;
+    result.unfinished = std::move(after.unfinished);
     result.findings = options.findings;
     describe_misfit(objective, minimum, spectra, result);
     add_model_band(model_band(objective, inference), result.spectra);
@@ -141,7 +173,7 @@ FitResult fit_spectra(const Configuration& configuration, std::span<const Spectr
     result.posterior = inference.posterior;
     result.priors = priors_in_words(problem);
     result.answer = {.solver = configuration.solver, .minimum = minimum, .seconds = found.seconds};
-    if (options.cross_check) result.cross_check = other_answers(cheap, objective, configuration, watch);
+    result.cross_check = std::move(after.others);
     if (inference.profile && inference.profile->better_minimum) found.minima.push_back({.minimum = minimum});
     result.minima = distinct(objective, std::move(found.minima));
     const Diagnosis diagnosis = diagnose(result);

@@ -20,6 +20,8 @@ struct FitProgress {
 struct FitWatch {
     std::stop_token stop{};                                 ///< asks for an end before the end: Cancelled is thrown
     std::function<void(const FitProgress&)> progress = {};  ///< empty: nobody listens
+    /// Where the stop comes after the search: give the result without what is not finished, rather than throw.
+    bool keeps_partial_result = false;
 
     void tell(const FitProgress& now) const {
         if (progress) progress(now);

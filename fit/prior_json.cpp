@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 
+#include "core/input_error.hpp"
 #include "core/text.hpp"
+#include "fit/json_reading.hpp"
 #include "fit/physiological_priors.hpp"
 
 namespace skinfit {
@@ -30,10 +32,6 @@ constexpr std::array<Form, 3> forms = {{
 }};
 constexpr std::array<std::string_view, 4> kinds = {"normal", "log_normal", "beta", "uniform"};
 constexpr std::array<std::string_view, 2> sets = {"uniform", "physiological"};
-
-void require_object(const Json& value, const std::string& where, const std::string& remedy) {
-    if (!value.is_object()) refuse(where, value, "names and values are needed", remedy);
-}
 
 double required(const Json& value, std::string_view key, const Range& range, const std::string& where) {
     if (!value.contains(key)) {

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "core/input_error.hpp"
+#include "fit/json_reading.hpp"
 #include "fit/prior_json.hpp"
 
 namespace skinfit {

@@ -53,6 +53,7 @@ private:
     double limit_;
     double inside_ = 0.0;  // distances from the minimum
     std::optional<double> outside_;
+    BoxPoint inside_point_;  // the farthest that is inside; the next descents start from it
     BoxPoint last_;
 };
 
@@ -79,6 +80,7 @@ double Walk::next(double excess, double root) {
         outside_ = here;
     } else {
         inside_ = here;
+        inside_point_ = last_;
     }
     // Not too far at once: behind a ridge may lie another valley.
     const double farthest = outside_.value_or(std::min(whole, 3.0 * here));
@@ -95,13 +97,15 @@ Walk::End Walk::run() {
     const double direction = limit_ > origin ? 1.0 : -1.0;
     End end{.position = limit_, .open = true, .better = {}, .evaluations = 0, .curve = {}};
     if (whole <= 0.0) return end;
-    last_ = *minimum_;
+    inside_point_ = *minimum_;
     double distance = std::min(whole, first_distance());
     for (int k = 0; k < most_points; ++k) {
         const double target = distance >= whole ? limit_ : origin + direction * distance;
-        VectorXd start = last_.position + step_along(last_, column_, target - last_.position[column_]);
+        // Not from a point outside, which may lie in another valley: from there the descents would not come back.
+        const double step = target - inside_point_.position[column_];
+        VectorXd start = inside_point_.position + step_along(inside_point_, column_, step);
         start[column_] = target;
-        Descent descent = descend(*misfit_, start, last_.bend, column_, cost_tolerance);
+        Descent descent = descend(*misfit_, start, inside_point_.bend, column_, cost_tolerance);
         end.evaluations += descent.evaluations;
         last_ = std::move(descent.point);
         const double rise = last_.cost - minimum_->cost;

@@ -121,6 +121,7 @@ Json json_report(const FitResult& result) {
     const Json configuration = to_json(result.configuration);
     Json json = {{"verdict", name_of(result.verdict)},
                  {"reasons", result.reasons},
+                 {"unfinished", result.unfinished},
                  {"rmse", result.rmse},
                  {"chi2", result.chi2},
                  {"cost", result.cost},

@@ -78,8 +78,10 @@ struct FitResult {
     std::optional<Posterior> posterior;  ///< in values, where the intervals are those of the posterior
     std::optional<double> inflation;     ///< sqrt(chi2 / degrees of freedom); none without degrees of freedom
     SolverAnswer answer;
-    std::vector<DistinctMinimum> minima;    ///< of the answer's searches, best first; the first is the answer
-    std::vector<std::string> priors;        ///< in use, in words
+    std::vector<DistinctMinimum> minima;  ///< of the answer's searches, best first; the first is the answer
+    std::vector<std::string> priors;      ///< in use, in words
+    /// What a stop has left out, in words; see `FitWatch::keeps_partial_result`.
+    std::vector<std::string> unfinished;
     std::vector<SolverAnswer> cross_check;  ///< other solvers on the same objective; empty unless asked for
     /// The fit can be run again from it: of one spectrum resolved, of several as stated.
     Configuration configuration;

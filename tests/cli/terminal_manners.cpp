@@ -82,6 +82,16 @@ TEST_F(TerminalManners, CtrlCEndsAFitWithoutAResult) {
     EXPECT_TRUE(std::filesystem::is_empty(folder()));
 }
 
+TEST_F(TerminalManners, CtrlCKeepsAFitWhoseIntervalsAreNotFinished) {
+    const Outcome outcome = run_on_terminal({"fit", specimen, "--set", "engine=solver", "--set", "starts=1",
+                                             "--uncertainty", "posterior", "--samples", "draws.csv", "--threads", "1"},
+                                            folder(), "estimating the uncertainty");
+    EXPECT_EQ(outcome.exit_code, 130);
+    EXPECT_TRUE(holds(outcome.out, "INTERRUPTED")) << outcome.out;
+    EXPECT_TRUE(holds(outcome.out, "intervals: covariance")) << outcome.out;
+    EXPECT_TRUE(holds(outcome.out, "draws.csv: not written")) << outcome.out;
+}
+
 TEST_F(TerminalManners, CtrlCKeepsWhatAValidationHasDone) {
     const Outcome outcome =
         run_on_terminal({"validate", "inverse", "--spectra", "100000", "--intervals", "covariance"}, folder(), bar);

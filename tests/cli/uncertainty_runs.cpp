@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "core/text.hpp"
@@ -33,6 +34,36 @@ TEST_F(UncertaintyRuns, IntervalsAreOfTheKindAskedFor) {
         EXPECT_EQ(json["configuration"]["uncertainty"], kind);
         EXPECT_EQ(json["uncertainty"].contains("posterior"), kind == "posterior");
     }
+}
+
+// Of NCSU 82 the search for the lower end of the oxygen saturation passes another valley.
+TEST_F(UncertaintyRuns, AtTheEndsOfProfilesTheBestRefitHasRisenToTheThreshold) {
+    const std::vector<std::string> common = {"fit",      SKINFIT_SOURCE_DIR "/measurements/data/ncsu_082.csv",
+                                             "--set",    "discrepancy={}",
+                                             "--set",    "engine=emulator",
+                                             "--format", "json"};
+    const auto fitted = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = common;
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return Json::parse(run(arguments).out);
+    };
+    const Json json = fitted({"--uncertainty", "profile"});
+    int ends = 0;
+    for (const auto& [name, curve] : json["uncertainty"]["profile"]["curves"].items()) {
+        const Json& row = json["parameters"][name];
+        for (const Json& end : row["interval_95"]) {
+            if (end == row["lower"] || end == row["upper"]) continue;
+            const Json refit = fitted({"--fix", name, "--set", name + "=" + end.dump()});
+            // Near a bound the threshold is lower than 1.96 squared.
+            const std::vector<double> thresholds = curve["cost_rise_95"];
+            const auto [least, most] = std::ranges::minmax(thresholds);
+            const double rise = refit["cost"].get<double>() - json["cost"].get<double>();
+            EXPECT_GT(rise, 0.97 * least) << name << " " << end;
+            EXPECT_LT(rise, 1.03 * most) << name << " " << end;
+            ++ends;
+        }
+    }
+    EXPECT_GE(ends, 8);
 }
 
 TEST_F(UncertaintyRuns, SamplesAreWrittenAndTheSameOnAnyNumberOfThreads) {
