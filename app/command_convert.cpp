@@ -28,8 +28,8 @@ std::string format_of(const ConvertCommand& command) {
 }
 
 /// The spectra chosen, or all of them.
-std::vector<Spectrum> spectra_of(const ConvertCommand& command) {
-    MeasuredFiles measured(command.reader);
+std::vector<Spectrum> spectra_of(const ConvertCommand& command, const Session& session) {
+    MeasuredFiles measured(command.reader, session.quiet);
     ReadOptions options{.region = region_from(command.region)};
     if (!command.unit.empty()) {
         options.unit = configured_by_word(default_configuration(), "unit", command.unit, "--unit").unit;
@@ -48,9 +48,10 @@ int run(const ConvertCommand& command, Session& session) {
     shared.out = command.out;
     if (!is_standard_input(command.file)) check_output(shared, files_read(command.file, command.region));
     if (is_standard_input(command.file)) check_output(shared);
-    ProgressLine line(session, "reading");
-    const std::vector<Spectrum> spectra = spectra_of(command);
-    line.end();
+    std::optional<ProgressLine> line;  // not over what is typed
+    if (!is_standard_input(command.file)) line.emplace(session, "reading");
+    const std::vector<Spectrum> spectra = spectra_of(command, session);
+    line.reset();
     write_output(shared, format_of(command) == "json" ? spectra_json(spectra) : spectra_csv(spectra, command.file));
     return trustworthy_result;
 }

@@ -30,14 +30,14 @@ void require_page() {
 
 int run(const ExploreCommand& command, Session& session) {
     require_page();
-    (void)session.interrupt.graceful("");
+    (void)session.stop_on_interrupt("");
     const auto limit = thread_limit(command.shared);
     ProgressLine line(session, "reading");
     Api api(cache_from(command.shared, line),
             command.file.empty() ? std::nullopt : std::optional(read_spectra(command.file)));
     Server server(api, command.port);
-    write_stdout(server.url() + "\n");
     line.end();
+    write_stdout(server.url() + "\n");
     line.tell("open this address in a browser of this machine; Ctrl-C ends the program");
     std::jthread serving([&server] { server.run(); });
     session.interrupt.wait();

@@ -67,7 +67,7 @@ std::vector<std::filesystem::path> inputs(const FitCommand& command) {
 }
 
 /// One per file and column: columns belong to the one file, or to the files in their order, or the one to all files.
-std::vector<Spectrum> read_all(const FitCommand& command, const Configuration& stated) {
+std::vector<Spectrum> read_all(const FitCommand& command, const Configuration& stated, const Session& session) {
     const std::size_t files = command.files.size();
     const std::size_t columns = command.columns.size();
     if (files > 1 && columns > 1 && files != columns) {
@@ -82,7 +82,7 @@ std::vector<Spectrum> read_all(const FitCommand& command, const Configuration& s
                           .why = "it can be read once",
                           .remedy = "give - once, and name the columns of several spectra by --column"});
     }
-    MeasuredFiles measured(command.reader);
+    MeasuredFiles measured(command.reader, session.quiet);
     std::vector<Spectrum> spectra;
     for (std::size_t k = 0; k < std::max(files, columns); ++k) {
         const std::string& file = command.files[files == 1 ? 0 : k];
@@ -122,7 +122,7 @@ std::optional<FitResult> fitted(const FitCommand& command, const Configuration& 
                                 const std::vector<Spectrum>& spectra, const std::vector<Finding>& findings,
                                 Session& session) {
     ProgressLine line(session, "fitting");
-    const FitWatch watch{.stop = session.interrupt.graceful(""),
+    const FitWatch watch{.stop = session.stop_on_interrupt(""),
                          .progress =
                              [&line](const FitProgress& now) {
                                  line.show({.what = std::string(now.stage), .done = now.done, .total = now.total});
@@ -136,13 +136,13 @@ std::optional<FitResult> fitted(const FitCommand& command, const Configuration& 
                             .watch = watch});
     } catch (const Cancelled&) {
         line.end();
-        say_line("interrupted; there is no result yet, and nothing was written");
+        line.tell("interrupted; there is no result yet, and nothing was written");
         return std::nullopt;
     }
 }
 
 void write_files(const FitCommand& command, const FitResult& result, const Session& session) {
-    if (!command.samples.empty() && !result.posterior) {
+    if (!command.samples.empty() && !result.posterior && !session.quiet) {
         say_line(fmt::format("{}: not written; the posterior was not finished", command.samples.string()));
     }
     if (!command.samples.empty() && result.posterior) {
@@ -159,7 +159,7 @@ void write_files(const FitCommand& command, const FitResult& result, const Sessi
 int run(const FitCommand& command, Session& session) {
     const Configuration stated = fit_configuration(command, default_configuration());
     check_outputs(command);
-    const std::vector<Spectrum> spectra = read_all(command, stated);
+    const std::vector<Spectrum> spectra = read_all(command, stated, session);
     // What the file states holds where the configuration does not state it.
     const Configuration configuration =
         fit_configuration(command, with_file_settings(default_configuration(), spectra));

@@ -48,9 +48,11 @@ int run(const InspectCommand& command, Session& session) {
     const ReadOptions options = read_options(command);
     check_output(command.output, files_to_read(command));
     check_plot(command);
-    ProgressLine line(session, "reading");
-    const Inspection inspection = inspected(MeasuredFiles(command.reader).spectra(command.file, options));
-    line.end();
+    std::optional<ProgressLine> line;  // not over what is typed
+    if (!is_standard_input(command.file)) line.emplace(session, "reading");
+    const Inspection inspection =
+        inspected(MeasuredFiles(command.reader, session.quiet).spectra(command.file, options));
+    line.reset();
     if (!command.plot.empty()) {
         draw_spectra(inspection.file.spectra, std::filesystem::path(command.file).filename().string(), command.plot);
     }

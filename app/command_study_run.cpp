@@ -9,6 +9,7 @@
 #include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "app/study_options.hpp"
+#include "app/terminal.hpp"
 #include "core/input_error.hpp"
 #include "core/text.hpp"
 #include "study/study_processes.hpp"
@@ -93,8 +94,8 @@ int finished(const StudyRunCommand& command, const Study& study, const StudyRun&
     const StudyCounts counts = counts_of(ledger);
     if (!session.quiet) {
         if (run.left_out > 0)
-            fmt::print(stderr, "{} spectra left out: their names are not the study's\n", run.left_out);
-        if (run.stopped) fmt::print(stderr, "stopped; run it again to go on\n");
+            say_line(fmt::format("{} spectra left out: their names are not the study's", run.left_out));
+        if (run.stopped) say_line("stopped; run it again to go on");
         write_stdout(status_text(counts));
         write_stdout(fmt::format("ledger: {}\n", ledger.path().string()));
     }
@@ -107,7 +108,7 @@ int run_it(const StudyRunCommand& command, Session& session) {
     ProgressLine line(session, "planning", log_of(command));
     StudyRunOptions options = options_of(command, study, line);
     const std::stop_token stop =
-        session.interrupt.graceful("interrupted; what has begun is stored first, Ctrl-C again ends at once");
+        session.stop_on_interrupt("interrupted; what has begun is stored first, Ctrl-C again ends at once");
     options.stop = [&stop] { return stop.stop_requested(); };
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(options.jobs));
@@ -116,7 +117,8 @@ int run_it(const StudyRunCommand& command, Session& session) {
     line.end();
     const int exit_code = finished(command, study, *run, session);
     // Launchers take any other code of one process for a failure of all.
-    return launched_processes() == 1 ? exit_code : trustworthy_result;
+    if (launched_processes() > 1) return trustworthy_result;
+    return run->stopped ? session.interrupt.exit_code() : exit_code;
 }
 
 int merge_it(const StudyRunCommand& command, Session& session) {

@@ -74,7 +74,7 @@ int run(const ValidateCommand& command, Session& session) {
     const auto limit = thread_limit(shared);
     std::vector<FigureResult> results;
     ProgressLine line(session, "computing figures");
-    const std::stop_token stop = session.interrupt.graceful("interrupted; the figure at hand is finished first");
+    const std::stop_token stop = session.stop_on_interrupt("interrupted; the figure at hand is finished first");
     for (const Figure& figure : figures) {
         if (stop.stop_requested()) break;
         line.show({.what = figure.title, .done = results.size(), .total = figures.size()});
@@ -83,8 +83,8 @@ int run(const ValidateCommand& command, Session& session) {
         write_figure(results.back(), command.output);
     }
     line.end();
-    if (stop.stop_requested()) {
-        say_line(fmt::format("{} of {} figures are in {}", results.size(), figures.size(), command.output.string()));
+    if (results.size() < figures.size()) {
+        line.tell(fmt::format("{} of {} figures are in {}", results.size(), figures.size(), command.output.string()));
         return session.interrupt.exit_code();
     }
     const std::string json = json_text(summary_json(results));

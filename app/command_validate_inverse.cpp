@@ -57,7 +57,7 @@ int run(const ValidateInverseCommand& command, Session& session) {
     make_output_folder(command.output);
     const auto limit = thread_limit(command.shared);
     ProgressLine line(session, "preparing the model");
-    const RecoveryWatch watch{.stop = session.interrupt.graceful("interrupted; the spectra at hand are finished first"),
+    const RecoveryWatch watch{.stop = session.stop_on_interrupt("interrupted; the spectra at hand are finished first"),
                               .progress = [&](std::uint64_t done) {
                                   line.show({.what = fmt::format("{}/{} spectra", done, design.spectra),
                                              .done = done,
@@ -69,7 +69,7 @@ int run(const ValidateInverseCommand& command, Session& session) {
         run_inverse_study(configuration, simulator, design, cache_from(command.shared, line), watch);
     line.end();
     if (study.spectra.empty()) {
-        say_line("no spectrum was finished; nothing was written");
+        line.tell("no spectrum was finished; nothing was written");
         return session.interrupt.exit_code();
     }
     const RecoverySummary summary = summarised(study.spectra, study.free);
@@ -84,7 +84,7 @@ int run(const ValidateInverseCommand& command, Session& session) {
     write_file_atomically(command.output / "summary.json", text);
     command.shared.format == "json" ? write_stdout(text) : write_report_to_stdout(recovery_text(summary));
     if (study.spectra.size() < design.spectra) {
-        say_line(fmt::format("of {} spectra asked for only these {}", design.spectra, study.spectra.size()));
+        line.tell(fmt::format("of {} spectra asked for only these {}", design.spectra, study.spectra.size()));
         return session.interrupt.exit_code();
     }
     return passes(summary) ? trustworthy_result : result_with_warning;

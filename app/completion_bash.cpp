@@ -69,7 +69,12 @@ std::string arms_of(const CommandWords& command, const CompletedNames& names) {
 
 constexpr std::string_view beginning = R"(# bash completion for skinfit
 
-_skinfit_words() { mapfile -t COMPREPLY < <(compgen -W "$1" -- "$current"); }
+# One of some words, or another one after those of a list.
+_skinfit_words() {
+    local before=""
+    if [[ "$current" == *,* ]]; then before="${current%,*},"; fi
+    mapfile -t COMPREPLY < <(compgen -P "$before" -W "$1" -- "${current##*,}")
+}
 _skinfit_keys() { compopt -o nospace; mapfile -t COMPREPLY < <(compgen -S = -W "$1" -- "$current"); }
 _skinfit_files() { compopt -o filenames; mapfile -t COMPREPLY < <(compgen -f -- "$current"); }
 _skinfit_folders() { compopt -o filenames; mapfile -t COMPREPLY < <(compgen -d -- "$current"); }
@@ -77,6 +82,9 @@ _skinfit_folders() { compopt -o filenames; mapfile -t COMPREPLY < <(compgen -d -
 _skinfit() {
     local current="${COMP_WORDS[COMP_CWORD]}" previous="${COMP_WORDS[COMP_CWORD-1]}" command=""
     COMPREPLY=()
+    # The shell takes "=" for a word of its own.
+    if [[ "$current" == "=" ]]; then current=""; elif [[ "$previous" == "=" ]]; then previous="${COMP_WORDS[COMP_CWORD-2]}"; fi
+    if [[ "${COMP_WORDS[COMP_CWORD]}" == "=" || "${COMP_WORDS[COMP_CWORD-1]}" == "=" ]] && [[ "$previous" != -* ]]; then return; fi
     if ((COMP_CWORD > 1)); then command="${COMP_WORDS[1]}"; fi
 )";
 

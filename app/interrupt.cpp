@@ -20,8 +20,8 @@ bool is_ignored(int signal) {
     return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
 }
 
-[[noreturn]] void end_at_once(int signal, const char* text) {
-    say_line(text);
+[[noreturn]] void end_at_once(int signal) {
+    say_line("interrupted; what was not written yet is lost");
     ::_exit(first_code_of_signals + signal);
 }
 
@@ -52,11 +52,11 @@ void Interrupt::watch() {
         const std::scoped_lock lock(mutex_);
         if (over_) return;
         if (signal == wake_signal) continue;
-        if (!text_) end_at_once(signal, "interrupted; nothing was written");
-        if (signal_) end_at_once(signal, "interrupted again; what was not stored yet is lost");
+        if (!text_) end_at_once(signal);
+        if (signal_) end_at_once(signal);
         signal_ = signal;
-        if (!text_->empty()) say_line(*text_);
         stop_.request_stop();
+        if (!text_->empty()) say_line(*text_);
     }
 }
 

@@ -10,7 +10,7 @@
 namespace skinfit {
 
 /// What Ctrl-C and its like do (SIGINT, SIGTERM, SIGHUP; those that the caller ignores stay ignored). A command ends at
-/// once and says that nothing was written, unless it has asked to be told.
+/// once, unless it has asked to be told.
 class Interrupt {
 public:
     /// Keeps the signals from this thread and from all that start later, and waits for them in a thread of its own.

@@ -1,3 +1,4 @@
+#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <exception>
@@ -49,7 +50,16 @@ void add_commands(CLI::App& app, Session& session) {
     add_quiet(app, session);
 }
 
+/// Opens what the caller has closed of standard input, output and error, so that no file takes their place.
+void open_standard_streams() {
+    for (int descriptor = 0; descriptor <= 2; ++descriptor) {
+        if (::fcntl(descriptor, F_GETFD) >= 0) continue;
+        (void)::open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY);  // using it fails, as if it were closed
+    }
+}
+
 int run(int argc, char** argv) {
+    open_standard_streams();
     refuse_empty_arguments(argc, argv);
     Interrupt interrupt;
     Session session{.command_line = shell_words({argv, argv + argc}), .interrupt = interrupt};

@@ -104,7 +104,7 @@ the folder in which recorded walks are kept; without it
 .I ~/.cache/skinfit
 .TP
 .B NO_COLOR
-no colours, whatever its value; there are none either where the output is no terminal
+no colours, where it is set to anything but the empty text; there are none either where the output is no terminal
 .SH NOTES
 Research software, not a medical device.
 )";

@@ -4,6 +4,8 @@
 
 #include "app/terminal.hpp"
 #include "core/file.hpp"
+#include "core/input_error.hpp"
+#include "measurements/envi_reader.hpp"
 
 namespace skinfit {
 namespace {
@@ -16,12 +18,18 @@ bool is_standard_input(const std::string& file) {
     return file == "-";
 }
 
-MeasuredFiles::MeasuredFiles(const std::string& reader)
-    : reader_(reader.empty() ? std::nullopt : std::optional(reader)) {}
+MeasuredFiles::MeasuredFiles(const std::string& reader, bool quiet)
+    : reader_(reader.empty() ? std::nullopt : std::optional(reader)), quiet_(quiet) {}
 
 const std::string& MeasuredFiles::standard_input() {
     if (!standard_input_) {
-        if (is_terminal(STDIN_FILENO)) say_line("type or paste a spectrum; Ctrl-D ends it");
+        if (reader_ == envi_reader_name) {
+            throw InputError({.where = standard_input_name,
+                              .problem = "cannot be an ENVI cube",
+                              .why = "that is two files",
+                              .remedy = "name one of them"});
+        }
+        if (is_terminal(STDIN_FILENO) && !quiet_) say_line("type or paste a spectrum; Ctrl-D ends it");
         standard_input_ = read_standard_input();
     }
     return *standard_input_;

@@ -14,8 +14,8 @@ namespace skinfit {
 /// Measured files as the command line names them.
 class MeasuredFiles {
 public:
-    /// `reader` is that of --reader; empty: files are recognised.
-    explicit MeasuredFiles(const std::string& reader);
+    /// `reader` is that of --reader; empty: files are recognised. `quiet`: nobody is asked to type.
+    MeasuredFiles(const std::string& reader, bool quiet);
 
     /// As `read_spectra`, of a file or of standard input, which is read once. Throws InputError.
     [[nodiscard]] SpectrumFile spectra(const std::string& file, const ReadOptions& options);
@@ -27,6 +27,7 @@ private:
     const std::string& standard_input();
 
     std::optional<std::string> reader_;
+    bool quiet_;
     std::optional<std::string> standard_input_;  ///< once it is read
 };
 

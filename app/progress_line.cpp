@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 #include "app/terminal.hpp"
@@ -80,15 +79,14 @@ void ProgressLine::draw_now_and_then(const std::stop_token& stop) {
 }
 
 void ProgressLine::draw() {
-    fmt::print(stderr, "{}{}{}", clear_line, bar_text(now_), in_words(now_, seconds_since(stage_begin_)));
-    std::fflush(stderr);
+    write_stderr(fmt::format("{}{}{}", clear_line, bar_text(now_), in_words(now_, seconds_since(stage_begin_))));
     is_drawn_ = true;
 }
 
 void ProgressLine::log() {
     logged_ = Clock::now();
     has_logged_ = true;
-    fmt::print(stderr, "{}\n", in_words(now_, seconds_since(stage_begin_)));
+    write_stderr(fmt::format("{}\n", in_words(now_, seconds_since(stage_begin_))));
 }
 
 void ProgressLine::show(const Progress& progress) {
@@ -115,7 +113,7 @@ void ProgressLine::end() {
         drawer_.join();
     }
     if (quiet_ || std::exchange(over_, true)) return;
-    if (is_drawn_) fmt::print(stderr, "{}", clear_line);
+    if (is_drawn_) write_stderr(clear_line);
     if (!terminal_ && (has_logged_ || log_ == Log::often)) log();
 }
 

@@ -15,6 +15,11 @@ struct Session {
     Interrupt& interrupt;
     bool quiet = false;  ///< --quiet: nothing on stderr but errors
     int exit_code = trustworthy_result;
+
+    /// As `Interrupt::graceful`, without a word with --quiet.
+    [[nodiscard]] std::stop_token stop_on_interrupt(const std::string& text) {
+        return interrupt.graceful(quiet ? "" : text);
+    }
 };
 
 }  // namespace skinfit

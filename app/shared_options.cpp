@@ -49,10 +49,8 @@ void add_shared_options(CLI::App& command, SharedOptions& options, const std::ve
 }
 
 void add_reader_option(CLI::App& command, std::string& reader) {
-    command
-        .add_option("--reader", reader,
-                    fmt::format("the form of FILE, where it is not recognised: {}", fmt::join(reader_names(), ", ")))
-        ->type_name("NAME");
+    command.add_option("--reader", reader, "the form of FILE, where it is not recognised")
+        ->type_name(fmt::format("{}", fmt::join(reader_names(), "|")));
 }
 
 Configuration configuration_from(const SharedOptions& options, const Configuration& defaults) {
@@ -171,6 +169,12 @@ void refuse_same_output(const std::pair<std::string, std::filesystem::path>& fir
 void check_output(const SharedOptions& options, const std::vector<std::filesystem::path>& inputs,
                   const std::string& option) {
     if (options.out.empty()) return;
+    if (options.out == "-") {
+        throw InputError({.where = option + " -",
+                          .problem = "is no file",
+                          .why = "standard output is what is written to without the option",
+                          .remedy = "leave it out, or name a file"});
+    }
     std::error_code error;
     for (const std::filesystem::path& input : inputs) refuse_replacing(option, options.out, input);
     refuse_replacing(option, options.out, options.config);

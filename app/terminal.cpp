@@ -69,8 +69,12 @@ std::string coloured(std::string_view report) {
     return text;
 }
 
+void write_stderr(std::string_view text) noexcept {
+    if (std::fwrite(text.data(), 1, text.size(), stderr) == text.size()) std::fflush(stderr);
+}
+
 void say_line(std::string_view text) {
-    fmt::print(stderr, "{}{}\n", is_terminal(STDERR_FILENO) ? clear_line : "", text);
+    write_stderr(fmt::format("{}{}\n", is_terminal(STDERR_FILENO) ? clear_line : "", text));
 }
 
 void say_trouble(std::string_view kind, std::string_view text) {

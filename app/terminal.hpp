@@ -15,6 +15,9 @@ namespace skinfit {
 /// `report` for a terminal with colours: the verdict in green or red, the names of problems bold.
 [[nodiscard]] std::string coloured(std::string_view report);
 
+/// Writes `text` to stderr. A terminal that is gone, or a full disk, is no reason to stop: it is left out then.
+void write_stderr(std::string_view text) noexcept;
+
 /// Writes one line to stderr, over a progress bar that may stand there.
 void say_line(std::string_view text);
 

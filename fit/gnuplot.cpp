@@ -112,11 +112,19 @@ std::string gnuplot_picture(const std::string& script) {
     ::posix_spawn_file_actions_adddup2(&actions, ::fileno(in.get()), STDIN_FILENO);
     ::posix_spawn_file_actions_adddup2(&actions, ::fileno(out.get()), STDOUT_FILENO);
     ::posix_spawn_file_actions_adddup2(&actions, ::fileno(err.get()), STDERR_FILENO);
+    // What this program waits for by itself, such as Ctrl-C, must reach gnuplot.
+    ::sigset_t no_signals{};
+    ::sigemptyset(&no_signals);
+    ::posix_spawnattr_t attributes;
+    ::posix_spawnattr_init(&attributes);
+    ::posix_spawnattr_setsigmask(&attributes, &no_signals);
+    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
     std::array<char, 8> name{"gnuplot"};
     std::array<char, 3> no_personal_settings{"-d"};
     const std::array<char*, 3> arguments = {name.data(), no_personal_settings.data(), nullptr};
     ::pid_t child = 0;
-    const int failure = ::posix_spawnp(&child, name.data(), &actions, nullptr, arguments.data(), environ);
+    const int failure = ::posix_spawnp(&child, name.data(), &actions, &attributes, arguments.data(), environ);
+    ::posix_spawnattr_destroy(&attributes);
     ::posix_spawn_file_actions_destroy(&actions);
     if (failure != 0) refuse_without_gnuplot(failure);
     int status = 0;

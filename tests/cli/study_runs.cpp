@@ -133,7 +133,7 @@ TEST_F(StudyRuns, InterruptedItStoresWhatHasBegun) {
     program.send(SIGINT);
     const Outcome outcome = program.wait();
     EXPECT_EQ(outcome.signal, 0);
-    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.exit_code, 128 + SIGINT);
     EXPECT_NE(outcome.err.find("stopped; run it again to go on"), std::string::npos) << outcome.err;
 }
 

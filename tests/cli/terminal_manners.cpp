@@ -64,12 +64,12 @@ TEST_F(TerminalManners, WhatIsQuickOrQuietShowsNone) {
     EXPECT_EQ(run(slow).err, "");
 }
 
-TEST_F(TerminalManners, CtrlCEndsACommandAndSaysThatNothingWasWritten) {
+TEST_F(TerminalManners, CtrlCEndsACommandAndSaysWhatIsLost) {
     std::vector<std::string> arguments = endless;
     arguments.insert(arguments.end(), {"--out", "skin.csv"});
     const Outcome outcome = run_on_terminal(arguments, folder(), "following rays");
     EXPECT_EQ(outcome.exit_code, 130);
-    EXPECT_TRUE(holds(outcome.out, "interrupted; nothing was written")) << outcome.out;
+    EXPECT_TRUE(holds(outcome.out, "interrupted; what was not written yet is lost")) << outcome.out;
     EXPECT_TRUE(std::filesystem::is_empty(folder()));
 }
 
@@ -93,8 +93,8 @@ TEST_F(TerminalManners, CtrlCKeepsAFitWhoseIntervalsAreNotFinished) {
 }
 
 TEST_F(TerminalManners, CtrlCKeepsWhatAValidationHasDone) {
-    const Outcome outcome =
-        run_on_terminal({"validate", "inverse", "--spectra", "100000", "--intervals", "covariance"}, folder(), bar);
+    const Outcome outcome = run_on_terminal({"validate", "inverse", "--spectra", "100000", "--intervals", "covariance"},
+                                            folder(), " spectra/s");
     EXPECT_EQ(outcome.exit_code, 130);
     EXPECT_TRUE(holds(outcome.out, "of 100000 spectra asked for only these")) << outcome.out;
     EXPECT_TRUE(std::filesystem::exists(folder() / "inverse_validation" / "recovery.csv"));

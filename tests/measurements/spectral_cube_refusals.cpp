@@ -162,7 +162,7 @@ TEST_F(CubeRefusals, OfFilesGiveTheseMessages) {
     std::filesystem::resize_file(in_folder("c.hdr"), (std::uintmax_t{16} << 20U) + 1);
     test::write_text(in_folder("c.dat"), "");
     EXPECT_EQ(message("c.hdr"),
-              "c.hdr: has more than 16 MB (no header of a cube needs as much); check that it is a header");
+              "c.hdr: has more than 16 MiB (no header of a cube needs as much); check that it is a header");
 }
 
 TEST_F(CubeRefusals, OfHugePromisesComeAtOnceAndWithoutMemory) {

@@ -98,7 +98,8 @@ TEST_F(MapPreview, RefusesWhatIsNoMap) {
                              ": has no band called status (every map has); give a map that skinfit made");
     write_map({"status", "reason", "rmse", "chi2"}, {value_, value_, value_, value_});
     EXPECT_EQ(refusal(), in_folder("map.dat").string() +
-                             ": has the number 6 in its band status (no word has it); give a map that skinfit made");
+                             ": has the number 6 in its band status (no status or reason has this number); give a map "
+                             "that skinfit made");
 }
 
 }  // namespace
