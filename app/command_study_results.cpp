@@ -9,6 +9,7 @@
 #include "app/study_options.hpp"
 #include "core/input_error.hpp"
 #include "core/text.hpp"
+#include "study/study_csv.hpp"
 #include "study/study_power.hpp"
 #include "study/study_report.hpp"
 

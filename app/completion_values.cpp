@@ -1,7 +1,5 @@
 #include "app/completion_values.hpp"
 
-#include <algorithm>
-
 namespace skinfit {
 
 OfferedValues offered_values(const OptionWords& option, const CompletedNames& names) {
@@ -18,12 +16,6 @@ OfferedValues offered_values(const OptionWords& option, const CompletedNames& na
 
 const std::string& main_name(const OptionWords& option) {
     return option.names.back();
-}
-
-std::string as_identifier(const std::string& command) {
-    std::string name = command;
-    std::ranges::replace(name, ' ', '_');
-    return name;
 }
 
 }  // namespace skinfit

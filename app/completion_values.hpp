@@ -16,7 +16,4 @@ struct OfferedValues {
 /// The long name of an option, else its short one.
 [[nodiscard]] const std::string& main_name(const OptionWords& option);
 
-/// "study run" as the name of a shell's function: "study_run".
-[[nodiscard]] std::string as_identifier(const std::string& command);
-
 }  // namespace skinfit

@@ -1,12 +1,19 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <string_view>
 
 #include "app/completion_values.hpp"
 
 namespace skinfit {
 namespace {
+
+/// "study run" as the name of a function: "study_run".
+std::string as_identifier(std::string command) {
+    std::ranges::replace(command, ' ', '_');
+    return command;
+}
 
 /// Within single quotes, where brackets and colons have a meaning to `_arguments` and `_describe`.
 std::string in_quotes(std::string_view text) {

@@ -13,7 +13,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::string_view clear_line = "\r\x1b[K";
 constexpr auto patience = 1s;  // what ends sooner shows no bar
 
 double seconds_since(std::chrono::steady_clock::time_point time) {

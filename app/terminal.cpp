@@ -18,7 +18,6 @@ constexpr std::string_view green = "\x1b[32m";
 constexpr std::string_view yellow = "\x1b[33m";
 constexpr std::string_view red = "\x1b[31m";
 constexpr std::string_view plain = "\x1b[0m";
-constexpr std::string_view clear_line = "\r\x1b[K";
 
 std::string painted(std::string_view colour, std::string_view text) {
     return fmt::format("{}{}{}", colour, text, plain);

@@ -6,6 +6,9 @@
 /// What a terminal shows and a file does not.
 namespace skinfit {
 
+/// Takes away what stands on the current line of a terminal.
+inline constexpr std::string_view clear_line = "\r\x1b[K";
+
 /// Whether what is written to this descriptor is seen by a person at once, and may be drawn over: not with TERM=dumb.
 [[nodiscard]] bool is_terminal(int descriptor);
 

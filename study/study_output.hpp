@@ -31,17 +31,8 @@ struct StudyCounts {
 /// For programs.
 [[nodiscard]] Json status_json(const StudyCounts& counts);
 
-/// The results as a table, a line per spectrum: file, number and name; status, verdict and reason; the metadata; value,
-/// sigma, both ends of the 95 % interval and status of each parameter; value and sigma of each index; the probability
-/// of each indicator; correlations; misfit; hashes; seconds. Metadata with the name of another column get `metadata_`
-/// before theirs.
-[[nodiscard]] std::string study_csv(const Study& study, const std::vector<AnsweredRow>& rows);
-
-/// The same as JSON, with the study's name, the configuration of its fits, the definitions of indicators and indices,
-/// repeatability and assessments, and the cubes. Throws InputError as `pairs_of`.
+/// The results of `study_csv` as JSON, with the study's name, the configuration of its fits, the definitions of
+/// indicators and indices, repeatability and assessments, and the cubes. Throws InputError as `pairs_of`.
 [[nodiscard]] Json results_json(const Study& study, const Ledger& ledger, const std::vector<AnsweredRow>& rows);
-
-/// `text` as one cell of a table: in quotes where it needs them, with blanks for ends of lines.
-[[nodiscard]] std::string csv_cell(const std::string& text);
 
 }  // namespace skinfit

@@ -131,6 +131,9 @@ TEST_F(HelpRuns, BashCompletesEveryCommandAndOption) {
     EXPECT_EQ(shell(completes + "try fit --free oxy").out, " oxygen_saturation \n");
     EXPECT_EQ(shell(completes + "try fit --set discr").out, " discrepancy= \n");
     EXPECT_EQ(shell(completes + "try fit measure").out, " measurements \n");
+    EXPECT_EQ(shell(completes + "try fit --free oxygen_saturation,bil").out, " oxygen_saturation,bilirubin_g_per_l \n");
+    EXPECT_EQ(shell(completes + "try fit --format = j").out, " json \n");
+    EXPECT_EQ(shell(completes + "try fit --set engine = m").out, "  \n");
     EXPECT_EQ(shell(completes + "try study run --outp").out, "  \n");
 }
 

@@ -59,6 +59,8 @@ TEST_F(StandardInput, WhatCannotBeReadIsRefused) {
     expect_refused("skinfit fit - <&-", "standard input: cannot be read");
     expect_refused("echo dear diary | skinfit fit -", "standard input");
     expect_refused("skinfit fit - - < " + specimen, "standard input twice");
+    expect_refused("skinfit inspect - --reader envi < " + specimen, "cannot be an ENVI cube");
+    expect_refused("skinfit fit " + specimen + " --out -", "--out -: is no file");
     expect_refused("head -c 100000 /dev/urandom | skinfit inspect -", "standard input");
 }
 

@@ -1,3 +1,4 @@
+#include <csignal>
 #include <cstdlib>
 
 #include "tests/cli/cli_test.hpp"
@@ -62,6 +63,23 @@ TEST_F(TerminalManners, WhatIsQuickOrQuietShowsNone) {
     quiet.emplace_back("--quiet");
     EXPECT_FALSE(holds(run_on_terminal(quiet, folder()).out, "\x1b"));
     EXPECT_EQ(run(slow).err, "");
+}
+
+TEST_F(TerminalManners, MessagesThatCannotBeWrittenDoNotChangeTheExitCode) {
+    for (const char* stderr_goes : {"2>&-", "2>/dev/full", "<&- >&- 2>&-"}) {
+        const Outcome outcome =
+            StartedProgram({"bash", "-c", skinfit_program() + " fit missing.csv " + stderr_goes}, folder()).wait();
+        EXPECT_EQ(outcome.exit_code, 2) << stderr_goes;
+    }
+}
+
+TEST_F(TerminalManners, AClosedTerminalStopsAFitThatStillKeepsItsResult) {
+    const Outcome outcome = run_on_terminal({"fit", specimen, "--set", "engine=solver", "--set", "starts=1",
+                                             "--uncertainty", "posterior", "--threads", "1", "--out", "fit.txt"},
+                                            folder(), "estimating the uncertainty", At::close);
+    EXPECT_EQ(outcome.signal, 0);
+    EXPECT_EQ(outcome.exit_code, 128 + SIGHUP);
+    EXPECT_TRUE(holds(read_file(folder() / "fit.txt"), "INTERRUPTED"));
 }
 
 TEST_F(TerminalManners, CtrlCEndsACommandAndSaysWhatIsLost) {

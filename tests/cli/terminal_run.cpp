@@ -10,7 +10,7 @@
 namespace skinfit::test {
 
 Outcome run_on_terminal(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-                        const std::string& interrupt_at) {
+                        const std::string& moment, At at) {
     std::vector<std::string> words = {skinfit_program()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
@@ -24,18 +24,20 @@ Outcome run_on_terminal(const std::vector<std::string>& arguments, const std::fi
         ::_exit(127);
     }
     Outcome outcome{};
-    bool typed = interrupt_at.empty();
+    bool has_happened = moment.empty();
     std::array<char, 4096> block{};
     // Reading fails once the program has closed its side.
     for (ssize_t count = 0; (count = ::read(terminal, block.data(), block.size())) > 0;) {
         outcome.out.append(block.data(), static_cast<std::size_t>(count));
-        if (typed || outcome.out.find(interrupt_at) == std::string::npos) continue;
+        if (has_happened || outcome.out.find(moment) == std::string::npos) continue;
+        has_happened = true;
+        if (at == At::close) break;
         constexpr char control_c = '\x03';
-        typed = ::write(terminal, &control_c, 1) == 1;
+        if (::write(terminal, &control_c, 1) != 1) throw std::runtime_error("cannot type");
     }
+    ::close(terminal);
     int status = 0;
     if (::waitpid(process, &status, 0) != process) throw std::runtime_error("lost the program");
-    ::close(terminal);
     outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     outcome.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     return outcome;

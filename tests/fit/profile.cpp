@@ -5,22 +5,13 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "tests/fit/linear_misfit.hpp"
+
 namespace skinfit::test {
 namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double normal_95 = 1.959963984540054;      // 97.5 % quantile of the normal distribution
-constexpr double one_sided_95 = 1.6448536269514722;  // 95 % quantile
-constexpr double rounding = 1e-9;
-
-/// A linear model with unit noise: residual = jacobian (position - centre).
-BoxMisfit linear(const MatrixXd& jacobian, const VectorXd& centre) {
-    return [jacobian, centre](const VectorXd& position) {
-        return Misfit{.residual = jacobian * (position - centre), .jacobian = jacobian};
-    };
-}
 
 /// One position measured with `sigma` to lie at `centre`.
 BoxMisfit measured_once(double centre, double sigma) {

@@ -9,6 +9,7 @@
 #include "fit/fit.hpp"
 #include "fit/profile.hpp"
 #include "fit/report.hpp"
+#include "tests/fit/linear_misfit.hpp"
 #include "tests/fit/synthetic.hpp"
 
 namespace skinfit::test {
@@ -17,18 +18,9 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double normal_95 = 1.959963984540054;      // 97.5 % quantile of the normal distribution
-constexpr double one_sided_95 = 1.6448536269514722;  // 95 % quantile
-constexpr double rounding = 1e-9;
 // An end is called reached when the root of the rise is this close to its threshold.
 constexpr double root_at_end = 0.01;
 constexpr double rise_at_end = 2.0 * normal_95 * root_at_end;
-
-BoxMisfit linear(const MatrixXd& jacobian, const VectorXd& centre) {
-    return [jacobian, centre](const VectorXd& position) {
-        return Misfit{.residual = jacobian * (position - centre), .jacobian = jacobian};
-    };
-}
 
 /// What holds of every profile, in positions or in values.
 void expect_profile(const ProfileInterval& interval, const Bounds& bounds) {
@@ -50,8 +42,12 @@ void expect_profile(const ProfileInterval& interval, const Bounds& bounds) {
             EXPECT_NEAR(beyond_threshold, 0.0, rise_at_end);
         }
     }
-    if (interval.open_below) EXPECT_EQ(curve.front().at, bounds.lower);
-    if (interval.open_above) EXPECT_EQ(curve.back().at, bounds.upper);
+    if (interval.open_below) {
+        EXPECT_EQ(curve.front().at, bounds.lower);
+    }
+    if (interval.open_above) {
+        EXPECT_EQ(curve.back().at, bounds.upper);
+    }
 }
 
 TEST(ProfileCurve, OfALinearModelIsTheParabolaOfItsCovariance) {

@@ -1,4 +1,5 @@
 #include "study/study_output.hpp"
+#include "study/study_csv.hpp"
 
 #include <gtest/gtest.h>
 
