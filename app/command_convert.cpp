@@ -46,8 +46,7 @@ std::vector<Spectrum> spectra_of(const ConvertCommand& command, const Session& s
 int run(const ConvertCommand& command, Session& session) {
     SharedOptions shared;
     shared.out = command.out;
-    if (!is_standard_input(command.file)) check_output(shared, files_read(command.file, command.region));
-    if (is_standard_input(command.file)) check_output(shared);
+    check_output(shared, files_read(command.file, command.region));
     std::optional<ProgressLine> line;  // not over what is typed
     if (!is_standard_input(command.file)) line.emplace(session, "reading");
     const std::vector<Spectrum> spectra = spectra_of(command, session);

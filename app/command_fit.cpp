@@ -60,7 +60,6 @@ Configuration fit_configuration(const FitCommand& command, const Configuration& 
 std::vector<std::filesystem::path> inputs(const FitCommand& command) {
     std::vector<std::filesystem::path> all;
     for (const std::string& file : command.files) {
-        if (is_standard_input(file)) continue;
         for (const std::filesystem::path& path : files_read(file, command.region)) all.push_back(path);
     }
     return all;

@@ -29,24 +29,19 @@ ReadOptions read_options(const InspectCommand& command) {
     return options;
 }
 
-std::vector<std::filesystem::path> files_to_read(const InspectCommand& command) {
-    if (is_standard_input(command.file)) return {};
-    return files_read(command.file, command.region);
-}
-
 void check_plot(const InspectCommand& command) {
     if (command.plot.empty()) return;
     (void)gnuplot_terminal(command.plot, {.width = 1, .height = 1});  // refuses an unknown suffix before the work
     SharedOptions plot = command.output;
     plot.out = command.plot;
-    std::vector<std::filesystem::path> others = files_to_read(command);
+    std::vector<std::filesystem::path> others = files_read(command.file, command.region);
     others.push_back(command.output.out);
     check_output(plot, others);
 }
 
 int run(const InspectCommand& command, Session& session) {
     const ReadOptions options = read_options(command);
-    check_output(command.output, files_to_read(command));
+    check_output(command.output, files_read(command.file, command.region));
     check_plot(command);
     std::optional<ProgressLine> line;  // not over what is typed
     if (!is_standard_input(command.file)) line.emplace(session, "reading");

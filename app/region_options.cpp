@@ -1,5 +1,6 @@
 #include "app/region_options.hpp"
 
+#include "app/measured_file.hpp"
 #include "measurements/envi_files.hpp"
 
 namespace skinfit {
@@ -24,6 +25,7 @@ RegionChoice region_from(const RegionOptions& options) {
 }
 
 std::vector<std::filesystem::path> files_read(const std::filesystem::path& file, const RegionOptions& options) {
+    if (is_standard_input(file.string())) return {};
     std::vector<std::filesystem::path> files{file};
     if (!options.mask.empty()) files.emplace_back(options.mask);
     for (std::size_t i = 0, named = files.size(); i < named; ++i) {
