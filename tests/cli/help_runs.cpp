@@ -158,8 +158,10 @@ TEST_F(HelpRuns, ZshCompletes) {
     put("complete.zsh", R"(
 zmodload zsh/zpty
 zpty shell zsh -f -i
-zpty -w shell 'PS1=; autoload -U compinit; compinit -u -d zcompdump; source <(skinfit completion zsh); echo ready'
-zpty -r shell out '*ready*ready*'
+# What is typed before the shell reads letter by letter, is not completed: the prompt says that it does. Nothing that is
+# typed, and so shown, looks like it.
+zpty -w shell 'autoload -U compinit; compinit -u -d zcompdump; source <(skinfit completion zsh); PS1="re""ady> "'
+zpty -r shell out '*ready> *'
 zpty -w -n shell $'skinfit study me\t --verb\t <'
 zpty -r shell out '*verb*<*'
 print -r -- $out
