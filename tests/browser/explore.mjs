@@ -98,6 +98,22 @@ onPage("undoes, redoes, and comes back from its link", async (page) => {
     await until(() => hue(page), (now) => now === colour, "the same colour");
 });
 
+onPage("keeps a number that is being typed while answers come in", async (page) => {
+    await number(page, "melanosome_fraction").fill("0.1");
+    await drop(page, "ncsu_113.csv", specimen);
+    await page.getByRole("button", {name: "Remove ncsu_113.csv"}).waitFor();
+    assert.equal(await number(page, "melanosome_fraction").inputValue(), "0.1");
+    await page.keyboard.press("Tab");
+    await until(() => page.url(), (url) => url.includes("melanosome_fraction=0.1"), "the link");
+    // Two files dropped at once are both there.
+    await Promise.all([drop(page, "a.csv", specimen), drop(page, "b.csv", specimen)]);
+    for (const name of ["a.csv", "b.csv"]) await page.getByRole("button", {name: `Remove ${name}`}).waitFor();
+    // A field left empty shows the number that holds.
+    await number(page, "melanosome_fraction").fill("");
+    await page.keyboard.press("Tab");
+    assert.equal(await number(page, "melanosome_fraction").inputValue(), "0.1");
+});
+
 onPage("says which measured file its link names, and what to do", async (page) => {
     await drop(page, "ncsu_113.csv", specimen);
     await number(page, "melanosome_fraction").fill("0.1");

@@ -11,7 +11,7 @@ export const opened = (file: MeasuredFile): OpenFile => ({...file, visible: new 
 
 interface MeasuredProps {
     files: OpenFile[];
-    setFiles: (files: OpenFile[]) => void;
+    setFiles: (update: (files: OpenFile[]) => OpenFile[]) => void;
     say: (message: string) => void;
     onError: (error: unknown) => void;
 }
@@ -20,19 +20,17 @@ export function MeasuredFiles({files, setFiles, say, onError}: MeasuredProps) {
     const input = useRef<HTMLInputElement>(null);
     const [isOver, setOver] = useState(false);
     const read = async (chosen: FileList | null | undefined) => {
-        let all = files;
         for (const file of Array.from(chosen ?? [])) {
             try {
                 const found = await api.read(file.name, await file.arrayBuffer());
-                all = [...all, opened(found)];
+                setFiles((all) => [...all, opened(found)]);
                 say(`${file.name}: ${found.measured.length} spectra, ${found.findings.length} findings`);
             } catch (error) {
                 onError(error);
             }
         }
-        setFiles(all);
     };
-    const replace = (k: number, file: OpenFile) => setFiles(files.map((each, i) => (i === k ? file : each)));
+    const replace = (k: number, file: OpenFile) => setFiles((all) => all.map((each, i) => (i === k ? file : each)));
     return (
         <section class="measured" aria-labelledby="measured-title">
             <h2 id="measured-title">Measured spectra</h2>
@@ -75,7 +73,7 @@ export function MeasuredFiles({files, setFiles, say, onError}: MeasuredProps) {
                             </ul>
                         </details>
                     )}
-                    <button type="button" onClick={() => setFiles(files.filter((_, i) => i !== k))}>Remove {file.source}</button>
+                    <button type="button" onClick={() => setFiles((all) => all.filter((_, i) => i !== k))}>Remove {file.source}</button>
                 </article>
             ))}
         </section>

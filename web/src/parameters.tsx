@@ -1,4 +1,5 @@
 import {useMemo} from "preact/hooks";
+import {Field} from "./field";
 import type {Model} from "./state";
 import {inWords, rounded, scaleOf, shown} from "./scale";
 import type {Json, Parameter, SettingSchema, Vocabulary} from "./types";
@@ -57,8 +58,8 @@ function ParameterRow({parameter, model, change}: PanelProps & {parameter: Param
         <div class="parameter" data-parameter={name}>
             <label for={`number-${name}`} title={`${parameter.meaning}; ${parameter.source}`}>{words}</label>
             <span class="number">
-                <input id={`number-${name}`} type="number" step="any" min={parameter.lowest} max={parameter.highest} value={value}
-                    onChange={(event) => set((event.target as HTMLInputElement).valueAsNumber, true, event)} />
+                <Field id={`number-${name}`} type="number" step="any" min={parameter.lowest} max={parameter.highest} value={String(value)}
+                    settle={(text, event) => set(text === "" ? NaN : Number(text), true, event)} />
                 <span class="unit">{unit}</span>
             </span>
             <span class="slider">
@@ -122,8 +123,8 @@ function SettingRow(props: SettingProps) {
     const choices = choicesOf(props);
     const id = `setting-${name}`;
     const takesNumber = [schema.type].flat().some((type) => type === "number" || type === "integer") && name !== "wavelengths";
-    const onText = (event: Event) => {
-        const text = (event.target as HTMLInputElement).value.trim();
+    const settle = (typed: string) => {
+        const text = typed.trim();
         change(text === "" ? null : takesNumber ? Number(text) : text);
     };
     return (
@@ -136,8 +137,8 @@ function SettingRow(props: SettingProps) {
                         <option value={JSON.stringify(choice)}>{choice === null ? "default" : inWords(String(choice))}</option>
                     ))}
                 </select>
-                : <input id={id} type={takesNumber ? "number" : "text"} step="any" min={schema.minimum} max={schema.maximum}
-                    value={value === null ? "" : String(value)} placeholder="default" onChange={onText} />}
+                : <Field id={id} type={takesNumber ? "number" : "text"} step="any" min={schema.minimum} max={schema.maximum}
+                    value={value === null ? "" : String(value)} placeholder="default" settle={settle} />}
         </div>
     );
 }
