@@ -8,6 +8,7 @@
 #include "app/commands.hpp"
 #include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
+#include "core/erase_repeated.hpp"
 #include "core/input_error.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/goniophotometer_output.hpp"
@@ -104,7 +105,7 @@ std::vector<int> compared_bins(const AngularBins& bins) {
     for (const double polar_deg : {12.5, 32.5, 52.5, 72.5}) {
         polar_bins.push_back(static_cast<int>(polar_deg / 90.0 * bins.polar));
     }
-    polar_bins.erase(std::ranges::unique(polar_bins).begin(), polar_bins.end());
+    erase_repeated(polar_bins);
     return polar_bins;
 }
 

@@ -1,4 +1,5 @@
-# Writes a C++ source that holds the named text files as string literals.
+# Writes a C++ source that holds the named text files as string literals. A literal may be longer than the 65536
+# characters that a compiler must take, of which -Wpedantic warns; CMakeLists.txt silences that for these sources alone.
 # cmake -DOUTPUT=... -DNAMESPACE=... -DFILES="a.csv;b.csv" -P embed.cmake
 set(entries "")
 foreach(file IN LISTS FILES)

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/erase_repeated.hpp"
+
 namespace skinfit {
 namespace {
 
@@ -136,8 +138,7 @@ ProfileCurve curve_of(const ProfilePoint& minimum, const Walk::End& below, const
         });
     }
     std::ranges::stable_sort(curve, {}, &ProfilePoint::at);
-    const auto repeated = std::ranges::unique(curve, {}, &ProfilePoint::at);
-    curve.erase(repeated.begin(), repeated.end());
+    erase_repeated(curve, &ProfilePoint::at);
     return curve;
 }
 

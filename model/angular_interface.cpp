@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/erase_repeated.hpp"
 #include "model/angular_basis.hpp"
 
 namespace skinfit {
@@ -42,8 +43,7 @@ std::vector<Moving> piece_ends(const InterfaceSide& side) {
     std::ranges::sort(ends, [](const Moving& a, const Moving& b) {
         return a.value < b.value || (a.value == b.value && a.by_ratio > b.by_ratio);
     });
-    const auto [rest, end] = std::ranges::unique(ends, {}, &Moving::value);
-    ends.erase(rest, end);
+    erase_repeated(ends, &Moving::value);
     return ends;
 }
 

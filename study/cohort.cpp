@@ -22,22 +22,19 @@ namespace {
 
 const std::string example = "configs/cohort_power.json of the source tree is an example";
 
-/// What the cohort itself states, or what a simulation has no use for.
-void refuse_misplaced_setting(const Json& model, const std::string& where) {
+/// Settings that the cohort itself states, or that a simulation has no use for.
+void refuse_misplaced(const std::string& key, const std::string& where) {
     constexpr std::array<std::string_view, 4> of_cohort = {"seed", "wavelengths", "noise", "discrepancy"};
     constexpr std::array<std::string_view, 3> of_population = {"free", "own", "priors"};
-    for (const auto& [key, value] : model.items()) {
-        const auto is_among = [&key](const auto& names) { return std::ranges::find(names, key) != names.end(); };
-        const auto refuse_here = [&](const std::string& why, const std::string& remedy) {
-            throw InputError(
-                {.where = where + "." + key, .problem = "cannot stand here", .why = why, .remedy = remedy});
-        };
-        if (is_among(of_cohort)) refuse_here("the cohort states it for all", "write it beside \"model\"");
-        if (is_among(of_population)) refuse_here("populations say what is drawn", "write it under \"population\"");
-        const bool is_setting = std::ranges::find(setting_table(), key, &Setting::name) != setting_table().end();
-        if (is_setting && !is_among(model_settings())) {
-            refuse_here("a simulation has no use for it", "write it under \"study\", as in {\"fit\": {...}}");
-        }
+    const auto is_among = [&key](const auto& names) { return std::ranges::find(names, key) != names.end(); };
+    const auto refuse_here = [&](const std::string& why, const std::string& remedy) {
+        throw InputError({.where = where + "." + key, .problem = "cannot stand here", .why = why, .remedy = remedy});
+    };
+    if (is_among(of_cohort)) refuse_here("the cohort states it for all", "write it beside \"model\"");
+    if (is_among(of_population)) refuse_here("populations say what is drawn", "write it under \"population\"");
+    const bool is_setting = std::ranges::find(setting_table(), key, &Setting::name) != setting_table().end();
+    if (is_setting && !is_among(model_settings())) {
+        refuse_here("a simulation has no use for it", "write it under \"study\", as in {\"fit\": {...}}");
     }
 }
 
@@ -52,7 +49,7 @@ Configuration read_model(const Json& json, const std::string& where) {
     if (json.contains("model")) {
         const std::string here = where + ": model";
         require_object(json["model"], here, example);
-        refuse_misplaced_setting(json["model"], here);
+        for (const auto& [key, value] : json["model"].items()) refuse_misplaced(key, here);
         std::vector<std::string_view> known(model_settings().begin(), model_settings().end());
         known.emplace_back("parameters");
         require_names(json["model"], known, {{}, "", example}, here);

@@ -23,13 +23,13 @@ Configuration configured_for(const Study& study, const Configuration& defaults) 
 }  // namespace
 
 std::string word_of(const Metadata& metadata, std::string_view name) {
-    const auto found = std::ranges::find_if(metadata, [&](const auto& each) { return each.first == name; });
+    const auto found = std::ranges::find(metadata, name, &Metadata::value_type::first);
     return found == metadata.end() ? std::string() : found->second;
 }
 
 Metadata merged(Metadata metadata, const Metadata& more) {
     for (const auto& [name, word] : more) {
-        const auto found = std::ranges::find_if(metadata, [&](const auto& each) { return each.first == name; });
+        const auto found = std::ranges::find(metadata, name, &Metadata::value_type::first);
         if (found == metadata.end()) {
             metadata.emplace_back(name, word);
         } else {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/erase_repeated.hpp"
 #include "fit/diagnosis.hpp"
 
 namespace skinfit::test {
@@ -163,8 +164,7 @@ FitResult profiled_result() {
             curve.push_back(
                 {.at = at, .cost_rise = std::pow(distance, 2), .cost_slope = 2.0 * distance / sigma, .sigma = sigma});
         }
-        const auto repeated = std::ranges::unique(curve, {}, &ProfilePoint::at);
-        curve.erase(repeated.begin(), repeated.end());
+        erase_repeated(curve, &ProfilePoint::at);
         result.profile->intervals.push_back({.lower = lower,
                                              .upper = upper,
                                              .open_below = lower == free.bounds.lower,
