@@ -12,6 +12,7 @@ void add_inspect_command(CLI::App& app, Session& session);
 void add_simulate_command(CLI::App& app, Session& session);
 void add_sensitivity_command(CLI::App& app, Session& session);
 void add_design_command(CLI::App& app, Session& session);
+void add_describe_command(CLI::App& app, Session& session);
 void add_explore_command(CLI::App& app, Session& session);
 void add_gonio_command(CLI::App& app, Session& session);
 void add_validate_command(CLI::App& app, Session& session);

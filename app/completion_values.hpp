@@ -11,6 +11,7 @@ struct OfferedValues {
     std::vector<std::string> words;
 };
 
+/// What may be typed as the value of `option`.
 [[nodiscard]] OfferedValues offered_values(const OptionWords& option, const CompletedNames& names);
 
 /// The long name of an option, else its short one.

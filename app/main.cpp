@@ -44,6 +44,7 @@ void add_commands(CLI::App& app, Session& session) {
     add_study_command(app, session);
     add_bench_command(app, session);
     add_convert_command(app, session);
+    add_describe_command(app, session);
     add_config_command(app, session);
     add_completion_command(app, session);
     add_manual_command(app, session);

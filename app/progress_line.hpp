@@ -38,6 +38,7 @@ public:
     /// As `end`.
     ~ProgressLine();
 
+    /// Shows how far it is, if it is time to.
     void show(const Progress& progress);
     /// Prints a line of its own.
     void tell(const std::string& text);

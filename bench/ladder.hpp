@@ -73,6 +73,7 @@ using BenchListener = std::function<void(const std::string&)>;
 /// Measures everything in one run on the same work (`bench_work`), two threads at most.
 [[nodiscard]] BenchResult measure_ladder(const BenchSizes& sizes, const BenchListener& tell);
 
+/// The rung of that name, which there must be.
 [[nodiscard]] const BenchRung& rung(const BenchResult& result, std::string_view name);
 
 }  // namespace skinfit

@@ -1,5 +1,7 @@
 #include "bench/output.hpp"
 
+#include <array>
+
 #include <fmt/format.h>
 
 namespace skinfit {
@@ -12,11 +14,11 @@ struct Ratio {
     const char* slower;
     const char* faster;
 };
-constexpr Ratio ratios[] = {{"paths_over_brute_force", "brute_force", "paths"},
-                            {"paths_as_fit_over_brute_force", "brute_force", "paths_as_fit"},
-                            {"emulator_over_paths", "paths", "emulator"},
-                            {"emulator_over_paths_as_fit", "paths_as_fit", "emulator"},
-                            {"emulator_over_solver", "solver", "emulator"}};
+constexpr auto ratios = std::to_array<Ratio>({{"paths_over_brute_force", "brute_force", "paths"},
+                                              {"paths_as_fit_over_brute_force", "brute_force", "paths_as_fit"},
+                                              {"emulator_over_paths", "paths", "emulator"},
+                                              {"emulator_over_paths_as_fit", "paths_as_fit", "emulator"},
+                                              {"emulator_over_solver", "solver", "emulator"}});
 
 double ratio_of(const BenchResult& result, const Ratio& ratio, double Duration::*clock) {
     return rung(result, ratio.slower).median.*clock / rung(result, ratio.faster).median.*clock;

@@ -91,8 +91,8 @@ ScalingPlot against_wavelengths() {
     const BenchWork work = bench_work(1, table_1_rays);
     EngineLines lines;
     for (const int count : {7, 16, 31, 61, 121}) {
-        std::vector<double> wavelengths_nm;
-        for (int i = 0; i < count; ++i) wavelengths_nm.push_back(400 + 300.0 * i / (count - 1));
+        const Eigen::VectorXd even_nm = Eigen::VectorXd::LinSpaced(count, 400, 700);
+        const std::vector<double> wavelengths_nm(even_nm.begin(), even_nm.end());
         lines.measure(problem_with(work.configuration, wavelengths_nm), std::log10(count));
     }
     return {.name = "wavelengths",

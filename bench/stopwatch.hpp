@@ -13,7 +13,9 @@ struct Duration {
 /// Starts when it is made.
 class Stopwatch {
 public:
+    /// Starts.
     Stopwatch();
+    /// Since the start.
     [[nodiscard]] Duration elapsed() const;
 
 private:

@@ -8,9 +8,11 @@ foreach(file IN LISTS FILES)
   string(APPEND entries "    {\"${name}\", R\"embedded(${text})embedded\"},\n")
 endforeach()
 file(WRITE "${OUTPUT}.new"
-  "#include \"core/embedded_file.hpp\"\n\n"
+  "#include <array>\n\n#include \"core/embedded_file.hpp\"\n\n"
   "namespace ${NAMESPACE} {\n"
-  "extern const skinfit::EmbeddedFile embedded_files[] = {\n${entries}};\n"
-  "extern const std::size_t embedded_file_count = sizeof(embedded_files) / sizeof(embedded_files[0]);\n"
+  "std::span<const skinfit::EmbeddedFile> embedded_files() {\n"
+  "    static constexpr auto files = std::to_array<skinfit::EmbeddedFile>({\n${entries}    });\n"
+  "    return files;\n"
+  "}\n"
   "}  // namespace ${NAMESPACE}\n")
 file(COPY_FILE "${OUTPUT}.new" "${OUTPUT}" ONLY_IF_DIFFERENT)

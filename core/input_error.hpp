@@ -17,6 +17,7 @@ struct Complaint {
 /// `<where>: <problem> (<why>); <what to do>`, on one line.
 class InputError : public std::runtime_error {
 public:
+    /// The message of `complaint`, whose four parts must not be empty.
     explicit InputError(const Complaint& complaint)
         : std::runtime_error(complaint.where + ": " + complaint.problem + " (" + complaint.why + "); " +
                              complaint.remedy) {}

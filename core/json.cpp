@@ -64,10 +64,10 @@ Json parsed_json(std::string_view text, const std::string& where, const std::str
         // "[...] parse error at ...: syntax error while parsing ... - what was found; what was expected"
         const std::string words = error.what();
         const std::size_t found = words.rfind(" - ");
-        const std::string why = found == std::string::npos ? words : words.substr(found + 3);
+        const std::string cause = found == std::string::npos ? words : words.substr(found + 3);
         throw InputError({.where = fmt::format("{}:{}", where, line),
                           .problem = "is no JSON",
-                          .why = why.substr(0, why.find(';')),
+                          .why = cause.substr(0, cause.find(';')),
                           .remedy = "correct this line; " + example});
     } catch (const Json::exception&) {
         throw InputError({.where = where,

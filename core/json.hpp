@@ -6,6 +6,7 @@
 
 namespace skinfit {
 
+/// JSON with its keys in the order in which they were written.
 using Json = nlohmann::ordered_json;
 
 /// `json` as it stands in messages: on one line, cut where it is long; bytes that are not UTF-8 are replaced.

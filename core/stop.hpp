@@ -8,6 +8,7 @@ namespace skinfit {
 /// Leaves work whose stop has been requested; there is no result.
 class Cancelled : public std::runtime_error {
 public:
+    /// With a message that names no cause.
     Cancelled() : std::runtime_error("it was cancelled") {}
 };
 

@@ -16,6 +16,7 @@ namespace skinfit {
 /// Gives the lines of a text, one after the other; LF, CRLF and CR all end a line.
 class LineReader {
 public:
+    /// `text` must outlive it.
     explicit LineReader(std::string_view text) : text_(text) {}
     /// The next line without its end; nothing after the last.
     [[nodiscard]] std::optional<std::string_view> next();

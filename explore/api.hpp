@@ -40,6 +40,7 @@ public:
     /// `file`: spectra to begin with. Throws InputError as `uploaded_json`.
     Api(EnsembleCache cache, std::optional<SpectrumFile> file);
 
+    /// The answer to one request, an error of the user's as status 400. Calls may come from any thread.
     [[nodiscard]] ApiAnswer answer(const ApiRequest& request);
 
 private:

@@ -81,7 +81,8 @@ std::optional<std::string> FitJobs::start(FitOrder order) {
     forget_old();
     const auto job = std::make_shared<Job>();
     job->order = std::move(order);
-    job->thread = std::jthread([job = job.get(), cache = cache_](std::stop_token stop) { job->run(stop, cache); });
+    job->thread =
+        std::jthread([job = job.get(), cache = cache_](const std::stop_token& stop) { job->run(stop, cache); });
     jobs_.emplace(++started_, job);
     return std::to_string(started_);
 }

@@ -15,6 +15,7 @@ namespace skinfit {
 /// still runs and waits for it.
 class FitJobs {
 public:
+    /// Fits take their models from `cache`.
     explicit FitJobs(EnsembleCache cache) : cache_(std::move(cache)) {}
 
     /// Starts a fit and returns its name; none while as many run as may at a time. Of the fits that have ended the

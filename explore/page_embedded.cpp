@@ -3,12 +3,11 @@
 namespace skinfit {
 
 namespace web {
-extern const EmbeddedFile embedded_files[];
-extern const std::size_t embedded_file_count;
+std::span<const EmbeddedFile> embedded_files();
 }  // namespace web
 
 std::span<const EmbeddedFile> page_files() {
-    return {web::embedded_files, web::embedded_file_count};
+    return web::embedded_files();
 }
 
 }  // namespace skinfit

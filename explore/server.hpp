@@ -19,7 +19,9 @@ public:
     Server(const Server&) = delete;
     Server& operator=(const Server&) = delete;
 
+    /// On which it listens.
     [[nodiscard]] int port() const;
+    /// Without which nothing is served.
     [[nodiscard]] const std::string& token() const;
     /// Where a browser finds the page; it holds the token.
     [[nodiscard]] std::string url() const;

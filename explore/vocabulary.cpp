@@ -1,6 +1,5 @@
 #include "explore/vocabulary.hpp"
 
-#include <cmath>
 #include <optional>
 
 #include "core/version.hpp"
@@ -42,26 +41,11 @@ std::string_view group_of(Parameter parameter) {
     }
 }
 
-/// The range a prior of `physiological_priors` was made from: the median +/- one standard deviation of the logarithm,
-/// or 95 % of a normal one. The beta prior only discourages the ends.
-std::optional<Bounds> usual_range(const Prior& prior) {
-    if (const auto* normal = std::get_if<NormalPrior>(&prior)) {
-        return Bounds{normal->mean - 1.96 * normal->sigma, normal->mean + 1.96 * normal->sigma};
-    }
-    if (const auto* log_normal = std::get_if<LogNormalPrior>(&prior)) {
-        const double factor = std::exp(log_normal->sigma_log);
-        return Bounds{log_normal->median / factor, log_normal->median * factor};
-    }
-    return std::nullopt;
-}
-
+/// The range published for healthy skin, or null.
 Json usual_json(Parameter parameter) {
-    for (const PhysiologicalPrior& row : physiological_priors()) {
-        if (row.parameter != parameter) continue;
-        const std::optional<Bounds> range = usual_range(row.prior);
-        if (range) return {{"lower", range->lower}, {"upper", range->upper}, {"source", row.source}};
-    }
-    return {};
+    const std::optional<PhysiologicalPrior> known = known_of(parameter);
+    if (!known || !known->healthy) return {};
+    return {{"lower", known->healthy->lower}, {"upper", known->healthy->upper}, {"source", known->source}};
 }
 
 Json parameter_json(const ParameterInfo& info, const Configuration& defaults) {

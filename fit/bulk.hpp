@@ -22,6 +22,7 @@ struct BulkFit {
     int evaluations = 0;  ///< of the model
 };
 
+/// How hard each spectrum is searched.
 struct BulkOptions {
     /// From so many of the closest synthetic spectra, far from each other in the box: a spectrum may have several
     /// minima, of which the lowest that is found counts.

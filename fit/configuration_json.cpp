@@ -61,7 +61,7 @@ void read_parameter(Configuration& configuration, const ParameterInfo& info, con
     }
     Bounds& bounds = configuration.bounds[static_cast<std::size_t>(info.parameter)];
     for (const auto& [key, entry] : json.items()) {
-        const std::string here = where + "." + key;
+        const std::string here = fmt::format("{}.{}", where, key);
         if (key == "value") {
             value = read_value(entry, info, here);
         } else if (key == "lower") {
@@ -84,12 +84,13 @@ void read_parameter(Configuration& configuration, const ParameterInfo& info, con
 void read_parameters(Configuration& configuration, const Json& json, const std::string& where) {
     require_object(json, where, "see `skinfit config show` for the form");
     for (const auto& [key, value] : json.items()) {
+        const std::string here = fmt::format("{}.{}", where, key);
         const std::optional<Parameter> parameter = find_parameter(key);
         if (!parameter && is_setting(key)) {
-            refuse_misplaced(where + "." + key, "a setting", "move it out of \"parameters\"");
+            refuse_misplaced(here, "a setting", "move it out of \"parameters\"");
         }
         if (!parameter) refuse_unknown(where, key, parameter_names());
-        read_parameter(configuration, info(*parameter), value, where + "." + key);
+        read_parameter(configuration, info(*parameter), value, here);
     }
 }
 
@@ -117,7 +118,7 @@ Json names_json(const std::array<bool, parameter_count>& marks) {
 
 /// The value of "key=value": JSON where it reads as a number, null, a list or an object, else a number or a word.
 Json assigned_value(std::string_view text, const std::string& where) {
-    const Json json = Json::parse(text, nullptr, false);
+    Json json = Json::parse(text, nullptr, false);
     if (json.is_number() || json.is_null() || json.is_structured()) return json;
     const std::optional<double> number = parse_number(text);
     if (number && std::isfinite(*number)) return *number;
@@ -153,7 +154,7 @@ Configuration configured(Configuration configuration, const Json& json, const st
     std::vector<std::string_view> known = {"free", "own", "parameters"};
     for (const Setting& setting : setting_table()) known.push_back(setting.name);
     for (const auto& [key, value] : json.items()) {
-        const std::string here = where + ": " + key;
+        const std::string here = fmt::format("{}: {}", where, key);
         const auto setting = std::ranges::find(setting_table(), key, &Setting::name);
         if (setting != setting_table().end()) {
             setting->read(configuration, value, here);
@@ -164,7 +165,7 @@ Configuration configured(Configuration configuration, const Json& json, const st
         } else if (key == "parameters") {
             read_parameters(configuration, value, here);
         } else if (find_parameter(key)) {
-            refuse_misplaced(here, "a parameter", fmt::format("write \"parameters\": {{\"{}\": ...}}", key));
+            refuse_misplaced(here, "a parameter", fmt::format(R"(write "parameters": {{"{}": ...}})", key));
         } else {
             refuse_unknown(where, key, known);
         }

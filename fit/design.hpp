@@ -58,6 +58,7 @@ struct Design {
 /// be chosen than there are, or the problem makes no sense (`make_problem`).
 [[nodiscard]] Design design(const Configuration& configuration, const DesignRequest& request);
 
+/// As text, a table of wavelengths, and JSON.
 [[nodiscard]] std::string design_text(const Design& design);
 [[nodiscard]] std::string design_csv(const Design& design);
 [[nodiscard]] Json design_json(const Design& design);

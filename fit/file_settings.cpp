@@ -35,7 +35,7 @@ Configuration with_settings_of(Configuration configuration, const Spectrum& spec
 }  // namespace
 
 Configuration with_file_settings(const Configuration& configuration, std::span<const Spectrum> spectra) {
-    const Configuration first = with_settings_of(configuration, spectra.front());
+    Configuration first = with_settings_of(configuration, spectra.front());
     for (const Spectrum& spectrum : spectra.subspan(1)) {
         const Configuration other = with_settings_of(configuration, spectrum);
         if (to_json(other) == to_json(first)) continue;

@@ -23,6 +23,7 @@ struct FitWatch {
     /// Where the stop comes after the search: give the result without what is not finished, rather than throw.
     bool keeps_partial_result = false;
 
+    /// Tells whoever watches how far the fit is.
     void tell(const FitProgress& now) const {
         if (progress) progress(now);
     }

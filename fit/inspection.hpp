@@ -40,6 +40,7 @@ struct Inspection {
 [[nodiscard]] std::vector<Finding> findings_before_fit(const Configuration& configuration,
                                                        std::span<const Spectrum> spectra);
 
+/// What `file` states, and what the quality checks say of it.
 [[nodiscard]] Inspection inspected(SpectrumFile file);
 
 /// For people, with a plot.

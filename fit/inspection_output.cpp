@@ -20,8 +20,8 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 std::vector<std::string> names_of(const std::vector<Spectrum>& spectra) {
-    std::vector<std::string> names;
-    for (const Spectrum& spectrum : spectra) names.push_back(spectrum.name);
+    std::vector<std::string> names(spectra.size());
+    std::ranges::transform(spectra, names.begin(), &Spectrum::name);
     return names;
 }
 

@@ -22,6 +22,7 @@ public:
         Eigen::VectorXd reading;
         Eigen::MatrixXd jacobian;  ///< wavelengths x free parameters
     };
+    /// Readings and their derivatives at positions from 0 to 1 between the bounds.
     [[nodiscard]] Modelled at(std::span<const double> positions) const;
 
 private:

@@ -64,7 +64,7 @@ Eigen::VectorXd MeasurementModel::readings(std::span<const double> values) const
 Eigen::MatrixXd MeasurementModel::batch_readings(std::span<const double> values) const {
     const Quantity quantity = measurement().quantity;
     const auto* const ensemble = std::get_if<PathEnsemble>(&model_);
-    if (ensemble == nullptr) return Eigen::MatrixXd(static_cast<Index>(measurement().wavelength_nm.size()), 0);
+    if (ensemble == nullptr) return Eigen::MatrixXd::Zero(static_cast<Index>(measurement().wavelength_nm.size()), 0);
     const Experiment experiment = at(values);
     const Instrument& instrument = experiment.values.instrument;
     const double surface = collected_surface(experiment, quantity) * ensemble->surface_share();

@@ -15,6 +15,7 @@ public:
     /// `model` must have been made for that measurement. Refers to the problem, which must outlive it.
     MeasurementModel(const FitProblem& problem, std::size_t number, ForwardModel model);
 
+    /// What it models, and by what.
     [[nodiscard]] const Measurement& measurement() const { return problem_->measurements[number_]; }
     [[nodiscard]] const ForwardModel& forward_model() const { return model_; }
 
@@ -26,6 +27,7 @@ public:
         Eigen::MatrixXd jacobian;        ///< wavelengths x free parameters; zero for those of other measurements
         Eigen::VectorXd standard_error;  ///< of `reading`: `EscapedLight::standard_error` times the scale
     };
+    /// Readings, and their derivatives by the free parameters, at `values`, in the order of `FitProblem::free`.
     [[nodiscard]] Modelled model(std::span<const double> values) const;
 
     /// The same readings without their derivatives.

@@ -14,6 +14,7 @@ namespace skinfit {
 /// want at once is made once.
 class ModelShelf {
 public:
+    /// What is not on the shelf is taken from `cache`.
     explicit ModelShelf(EnsembleCache cache) : cache_(std::move(cache)) {}
 
     /// As `make_models`, with what was made for an earlier problem where that fits this one.

@@ -17,17 +17,12 @@
 namespace skinfit {
 
 namespace instrument_files {
-extern const EmbeddedFile embedded_files[];
-extern const std::size_t embedded_file_count;
+std::span<const EmbeddedFile> embedded_files();
 }  // namespace instrument_files
 
 namespace {
 
 const std::string example = "configs/instruments/ of the source tree has examples";
-
-std::span<const EmbeddedFile> files() {
-    return {instrument_files::embedded_files, instrument_files::embedded_file_count};
-}
 
 std::string stem(const EmbeddedFile& file) {
     return std::string(file.name.substr(0, file.name.rfind('.')));
@@ -71,12 +66,12 @@ std::optional<Bandpass> bandpass_of(const Json& json, const std::string& where) 
 
 std::vector<std::string> instrument_names() {
     std::vector<std::string> names;
-    for (const EmbeddedFile& file : files()) names.push_back(stem(file));
+    for (const EmbeddedFile& file : instrument_files::embedded_files()) names.push_back(stem(file));
     return names;
 }
 
 NamedInstrument find_instrument(const std::string& name_or_file, const std::string& where) {
-    for (const EmbeddedFile& file : files()) {
+    for (const EmbeddedFile& file : instrument_files::embedded_files()) {
         if (stem(file) == name_or_file) return parse_instrument(file.text, std::string(file.name));
     }
     std::error_code error;

@@ -18,6 +18,7 @@ using DensityFunction = std::function<LogDensity(const Eigen::VectorXd& position
 /// Random numbers of one chain, a function of seed, chain and how many were drawn before.
 class ChainRandom {
 public:
+    /// The numbers of chain `chain`.
     ChainRandom(std::uint64_t seed, std::uint64_t chain);
     [[nodiscard]] double uniform();  ///< in (0, 1)
     [[nodiscard]] double normal();   ///< standard normal
@@ -43,6 +44,7 @@ public:
     [[nodiscard]] Eigen::MatrixXd draw(int count);
 
     [[nodiscard]] int divergences() const { return divergences_; }  ///< since warm-up
+    /// Of the density, so far.
     [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
 
 private:

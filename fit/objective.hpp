@@ -33,6 +33,7 @@ public:
     Objective(const FitProblem& problem, const ForwardModel& model)
         : Objective(problem, std::vector<ForwardModel>{model}) {}
 
+    /// What it was made from.
     [[nodiscard]] const FitProblem& problem() const { return *problem_; }
     [[nodiscard]] const std::vector<MeasurementModel>& models() const { return models_; }
     [[nodiscard]] std::size_t reading_count() const { return static_cast<std::size_t>(first_row_.back()); }
@@ -42,6 +43,7 @@ public:
 
     /// The model's readings for values of the free parameters, their derivatives and standard errors.
     using Modelled = MeasurementModel::Modelled;
+    /// Readings of all measurements, one after the other, and their derivatives by the free parameters.
     [[nodiscard]] Modelled model(std::span<const double> values) const;
 
     /// The same readings without their derivatives.

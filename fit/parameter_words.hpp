@@ -22,6 +22,7 @@ struct ParameterWords {
     std::string remark;  ///< in capitals; empty where all is well
 };
 
+/// The words for one fitted parameter.
 [[nodiscard]] ParameterWords parameter_words(const FittedParameter& free);
 
 }  // namespace skinfit

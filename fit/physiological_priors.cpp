@@ -1,5 +1,6 @@
 #include "fit/physiological_priors.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace skinfit {
@@ -44,6 +45,11 @@ const std::array<PhysiologicalDerivedPrior, 1> derived = {{
 
 std::span<const PhysiologicalPrior> physiological_priors() {
     return priors;
+}
+
+std::optional<PhysiologicalPrior> known_of(Parameter parameter) {
+    const auto found = std::ranges::find(priors, parameter, &PhysiologicalPrior::parameter);
+    return found == priors.end() ? std::nullopt : std::optional(*found);
 }
 
 std::span<const PhysiologicalDerivedPrior> physiological_derived_priors() {

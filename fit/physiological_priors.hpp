@@ -26,6 +26,8 @@ struct PhysiologicalDerivedPrior {
 /// The physiological set, meant to be weak: a published range becomes the median +/- one standard deviation, not two,
 /// so that skin a decade outside it is unlikely but not excluded. Parameters that are not listed stay uniform.
 [[nodiscard]] std::span<const PhysiologicalPrior> physiological_priors();
+/// The row of `parameter`, if it is listed.
+[[nodiscard]] std::optional<PhysiologicalPrior> known_of(Parameter parameter);
 [[nodiscard]] std::span<const PhysiologicalDerivedPrior> physiological_derived_priors();
 
 }  // namespace skinfit

@@ -42,7 +42,7 @@ double required(const Json& value, std::string_view key, const Range& range, con
 
 /// Nothing for a uniform prior.
 std::optional<Prior> read_prior(const Json& value, const std::string& where) {
-    require_object(value, where, "write it as in {\"kind\": \"normal\", \"mean\": 0.5, \"sigma\": 0.1}");
+    require_object(value, where, R"(write it as in {"kind": "normal", "mean": 0.5, "sigma": 0.1})");
     if (!value.contains("kind")) {
         refuse(where, value, "kind is missing", fmt::format("give one of {}", fmt::join(kinds, ", ")));
     }
@@ -134,7 +134,7 @@ void read_priors(Configuration& configuration, const Json& value, const std::str
         if (name == "set") continue;
         std::optional<Prior>* const prior = prior_of(configuration, name);
         if (prior == nullptr) refuse_unknown(where, name, known_names());
-        *prior = read_prior(entry, where + "." + name);
+        *prior = read_prior(entry, fmt::format("{}.{}", where, name));
     }
 }
 

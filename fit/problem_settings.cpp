@@ -120,11 +120,11 @@ void read_discrepancy(Configuration& configuration, const Json& value, const std
     }
     if (!value.is_object()) {
         refuse(where, value, "sigma, length_nm and kernel are needed",
-               "write it as in {\"sigma\": 0.005, \"length_nm\": 30}, or null for none");
+               R"(write it as in {"sigma": 0.005, "length_nm": 30}, or null for none)");
     }
     Discrepancy discrepancy;
     for (const auto& [key, entry] : value.items()) {
-        const std::string here = where + "." + key;
+        const std::string here = fmt::format("{}.{}", where, key);
         if (key == "sigma") {
             discrepancy.sigma = read_number(entry, discrepancy_range, here);
         } else if (key == "length_nm") {

@@ -34,7 +34,7 @@ ProfilePoint profile_point(const BoxPoint& point, Index column, double rise) {
 class Walk {
 public:
     Walk(const BoxMisfit& misfit, const BoxPoint& minimum, Index column, double limit)
-        : misfit_(&misfit), minimum_(&minimum), column_(column), limit_(limit) {}
+        : misfit_(&misfit), minimum_(&minimum), column_(column), limit_(limit), inside_point_(minimum), last_(minimum) {}
 
     struct End {
         double position = 0.0;
@@ -99,7 +99,6 @@ Walk::End Walk::run() {
     const double direction = limit_ > origin ? 1.0 : -1.0;
     End end{.position = limit_, .open = true, .better = {}, .evaluations = 0, .curve = {}};
     if (whole <= 0.0) return end;
-    inside_point_ = *minimum_;
     double distance = std::min(whole, first_distance());
     for (int k = 0; k < most_points; ++k) {
         const double target = distance >= whole ? limit_ : origin + direction * distance;

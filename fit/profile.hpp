@@ -17,6 +17,7 @@ struct ProfileInterval {
     bool open_below;  ///< the profile stays below its threshold down to the lower bound
     bool open_above;
     ProfileCurve curve;  ///< where the search evaluated the profile, the minimum and the bounds it reached among them
+    /// Whether it excludes no value within the bounds.
     [[nodiscard]] bool is_everything() const { return open_below && open_above; }
 };
 

@@ -13,6 +13,7 @@ using FewNumbers = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, sta
 /// Synthetic spectra over the box, from the closest of which a fit starts.
 class SyntheticStarts {
 public:
+    /// Makes the readings of its points once, by `model`.
     SyntheticStarts(const LeanModel& model, Eigen::Index free_count);
 
     /// The positions in the unit box of the `count` spectra closest to `measured`, in sigmas; none within half the

@@ -19,6 +19,7 @@ struct RowShape {
 /// The cells are trimmed and without quotes around them.
 class CellCutter {
 public:
+    /// Cells are separated by `separator`.
     explicit CellCutter(char separator) : separator_(separator) {}
     /// The cells of `line`, at least one; valid until the next call.
     [[nodiscard]] std::span<const std::string_view> cut(std::string_view line);

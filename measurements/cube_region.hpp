@@ -17,6 +17,7 @@ public:
     /// not lie within the cube.
     CubeRegion(const RegionChoice& choice, const SpectralCube& cube);
 
+    /// The part of the image in which it lies.
     [[nodiscard]] const Rectangle& rectangle() const { return rectangle_; }
 
     /// For each pixel of `count` lines from line `first` on, whether it is chosen. A pixel of the mask is chosen when

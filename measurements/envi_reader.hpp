@@ -11,6 +11,7 @@
 
 namespace skinfit {
 
+/// By which `--reader` and messages call it.
 inline constexpr std::string_view envi_reader_name = "envi";
 
 /// True where `reader` is this one or, not given, the file is recognised as one of a cube's two.

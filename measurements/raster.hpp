@@ -32,6 +32,7 @@ public:
     /// The first band of a GeoTIFF or PNG. Throws InputError for anything else and for complex numbers.
     explicit Raster(const std::filesystem::path& picture);
 
+    /// Pixels of a line, and lines.
     [[nodiscard]] std::size_t columns() const { return columns_; }
     [[nodiscard]] std::size_t rows() const { return rows_; }
 

@@ -28,6 +28,7 @@ public:
     /// that of another; for whole numbers without a scale factor; and as `open_envi_data`.
     explicit SpectralCube(const std::filesystem::path& path, std::optional<Unit> unit = {});
 
+    /// What it was opened from.
     [[nodiscard]] const EnviFiles& files() const { return files_; }
     [[nodiscard]] const EnviHeader& header() const { return header_; }
 

@@ -29,6 +29,7 @@ struct FileNote {
 enum class BandpassShape { triangular, gaussian, rectangular };
 inline constexpr std::array<std::string_view, 3> bandpass_shape_names = {"triangular", "gaussian", "rectangular"};
 
+/// The bandpass of an instrument, the same at every wavelength.
 struct Bandpass {
     BandpassShape shape = BandpassShape::triangular;
     double width_nm = 0.0;  ///< full width at half maximum, above 0

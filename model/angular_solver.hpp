@@ -17,9 +17,9 @@ namespace skinfit {
 
 /// How the sample is lit and how finely directions are resolved.
 struct AngularSolverOptions {
-    double incidence_rad = 0.0;                   ///< 0 to below pi/2
-    std::optional<double> viewing_cone_rad = {};  ///< as `Experiment` has it
-    AngularResolution resolution = AngularResolution::for_accuracy(1e-4);
+    double incidence_rad = 0.0;                                            ///< 0 to below pi/2
+    std::optional<double> viewing_cone_rad = {};                           ///< as `Experiment` has it
+    AngularResolution resolution = AngularResolution::for_accuracy(1e-4);  ///< of directions
 };
 
 /// A share of the incident light and its derivatives.
@@ -46,6 +46,7 @@ struct AngularResponse {
 /// where neighbouring layers have the same index, since a critical angle appears; a finite one-sided value is given.
 class AngularSolver {
 public:
+    /// `sample` is copied.
     AngularSolver(const Sample& sample, const AngularSolverOptions& options);
 
     /// The solver of the same sample with another skin; quick when the layers' refractive indices are the same.

@@ -21,6 +21,7 @@ struct DepthCoordinate {
     double scale = 0.0;  ///< where the depth does not vary
     double offset = 0.0;
 
+    /// Of one layer of `box`.
     DepthCoordinate(const DepthBox& box, std::size_t layer);
 
     /// The optical depth at `coordinate`; for a layer whose depth varies.

@@ -77,6 +77,7 @@ public:
         std::span<const std::uint8_t> counts;
         std::shared_ptr<const void> owner;
     };
+    /// From stored parts, and back to them.
     explicit Emulator(Parts parts);
     [[nodiscard]] Parts parts() const;
 

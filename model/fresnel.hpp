@@ -9,6 +9,7 @@ namespace skinfit {
 class FresnelInterface {
 public:
     constexpr FresnelInterface() = default;
+    /// From index `n1` to index `n2`, both 1 or more.
     constexpr FresnelInterface(double n1, double n2) : n1_(n1), n2_(n2), ratio_squared_((n1 / n2) * (n1 / n2)) {}
 
     /// The share reflected of light that arrives with `cosine` to the normal, 0 to 1; 1 beyond the critical angle.
@@ -37,6 +38,7 @@ public:
         return 2.0 * xi * both * both < perpendicular * perpendicular + parallel * parallel;
     }
 
+    /// The index here, and beyond.
     [[nodiscard]] double n1() const { return n1_; }
     [[nodiscard]] double n2() const { return n2_; }
     /// (n1 / n2)^2.

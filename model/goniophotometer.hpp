@@ -16,6 +16,7 @@ struct AngularBins {
     int polar = 18;    ///< steps from the normal to the horizon; at least 1
     int azimuth = 36;  ///< even, so that another bin is centred on the backward half plane; at least 2
 
+    /// Bins of one hemisphere.
     [[nodiscard]] std::size_t count() const;
     /// The bin of a direction: its cosine to the normal, 0 to 1, and its azimuth, -pi to pi. The azimuth runs fastest.
     [[nodiscard]] std::size_t index(double cosine, double azimuth_rad) const;

@@ -23,6 +23,7 @@ inline constexpr int left_through_top = inner_state_count;
 inline constexpr int left_through_base = inner_state_count + 1;
 inline constexpr int state_count = inner_state_count + 2;
 
+/// The number of a state within the sample, and the state of a number.
 [[nodiscard]] constexpr int number_of(const RayState& state) {
     return 4 * state.layer + (state.upward ? 2 : 0) + (state.bounced ? 1 : 0);
 }

@@ -33,6 +33,7 @@ inline constexpr std::size_t skin_colour_count = 6;
 /// The angles above which each class but the last begins, degrees.
 inline constexpr std::array<double, skin_colour_count - 1> skin_colour_begins_deg = {55.0, 41.0, 28.0, 10.0, -30.0};
 
+/// The class in which an angle lies.
 [[nodiscard]] SkinColour skin_colour(double individual_typology_angle_deg);
 
 /// "very light", "light", "intermediate", "tan", "brown" or "dark".

@@ -80,6 +80,7 @@ public:
         std::span<const Segments> segments;
         std::span<const float> lengths;
     };
+    /// Valid as long as the ensemble.
     [[nodiscard]] Recording recording() const { return {segments_, lengths_}; }
 
     /// An ensemble from stored parts; `lengths` lives as long as `owner`.
@@ -90,6 +91,7 @@ public:
         std::span<const float> lengths;
         std::shared_ptr<const void> owner;
     };
+    /// Takes `parts` as they are: whoever stored them has checked them.
     explicit PathEnsemble(Parts parts);
 
 private:

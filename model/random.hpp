@@ -25,6 +25,7 @@ using FourWords = std::array<std::uint32_t, 4>;
 /// Seven rounds of Philox are the fewest that pass BigCrush, [SALMON11, Sec. 4].
 class RandomRay {
 public:
+    /// The numbers of ray `ray`.
     RandomRay(std::uint64_t seed, std::uint64_t ray)
         : key_{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U)}}, ray_(ray) {}
 

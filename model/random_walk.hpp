@@ -25,6 +25,7 @@ enum class Exit { surface, reflected, transmitted, absorbed };
 template <class Azimuth, class Random = RandomRay>
 class BasicRandomWalk {
 public:
+    /// `stack` must outlive the walk.
     BasicRandomWalk(const LayerStack& stack, const Random& random) : stack_(&stack), random_(random) {}
 
     /// Whether a ray of incidence cosine `cosine` is reflected at the surface, and where it goes if not.
@@ -32,6 +33,7 @@ public:
         bool reflected;
         double refracted_cosine;
     };
+    /// By the numbers of event 0; `cosine` from 0 to 1.
     [[nodiscard]] FirstHit first_hit(double cosine) const {
         const FresnelInterface& surface = stack_->between(-1, 0);
         return {.reflected = random_.uniforms(0, 0)[0] < surface.reflectance(cosine),
@@ -76,6 +78,7 @@ public:
         bool bounced;  ///< reflected at interface 3, 4 or 5
         double cosine;
     };
+    /// Where the ray is, and whither it goes.
     [[nodiscard]] State state() const { return {layer_, step_ != down, bounced_, cosine_}; }
     /// The numbers of the attempts to come.
     void set_random(const Random& random) { random_ = random; }
@@ -166,6 +169,7 @@ private:
     [[no_unique_address]] Azimuth azimuth_;
 };
 
+/// The walk for shares of light, and that for directions.
 using RandomWalk = BasicRandomWalk<IgnoredAzimuth>;
 using SpatialRandomWalk = BasicRandomWalk<FollowedAzimuth>;
 

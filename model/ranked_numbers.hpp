@@ -16,8 +16,10 @@ class SobolPoints {
 public:
     static constexpr std::size_t slack = 64;
 
+    /// `count` points, at most 2^32.
     explicit SobolPoints(std::size_t count);
 
+    /// The words of dimension `which`, 0 to 3, one of each point.
     [[nodiscard]] const std::uint32_t* dimension(std::size_t which) const { return words_.data() + which * stride_; }
 
 private:
@@ -38,6 +40,7 @@ public:
         std::uint32_t event;
         std::uint32_t state;
     };
+    /// The numbers that `draw` names.
     explicit RankedNumbers(const Draw& draw)
         : random_(draw.seed, (std::uint64_t{1} << 63U) | std::uint64_t{draw.state} << 32U | draw.batch),
           event_(draw.event) {}

@@ -27,6 +27,7 @@ struct Experiment {
     /// relative to that of a perfect white diffuser, without the surface reflection, which a 45/0 instrument avoids.
     std::optional<double> viewing_cone_rad = {};
 
+    /// The skin with its surroundings.
     [[nodiscard]] Sample sample() const {
         return {.skin = values.skin, .edition = edition, .layers = layers, .base = base};
     }

@@ -12,8 +12,7 @@
 #include "core/text.hpp"
 
 namespace skinfit::model_data {
-extern const EmbeddedFile embedded_files[];
-extern const std::size_t embedded_file_count;
+std::span<const EmbeddedFile> embedded_files();
 }  // namespace skinfit::model_data
 
 namespace skinfit {
@@ -34,8 +33,7 @@ OutsideRange outside_range(const Notes& notes, std::string_view key, std::string
 
 std::map<std::string, Table, std::less<>> parse_embedded_tables() {
     std::map<std::string, Table, std::less<>> tables;
-    for (std::size_t i = 0; i < model_data::embedded_file_count; ++i) {
-        const EmbeddedFile& file = model_data::embedded_files[i];
+    for (const EmbeddedFile& file : model_data::embedded_files()) {
         const std::string_view name = file.name.substr(0, file.name.rfind('.'));
         tables.emplace(name, parse_table(name, file.text));
     }

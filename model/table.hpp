@@ -34,6 +34,7 @@ struct Table {
 /// One column of a table as a function of wavelength, linear between the measured points.
 class Curve {
 public:
+    /// Of one column over the wavelengths of `table`.
     Curve(const Table& table, std::string_view column);
 
     /// The value at `wavelength_nm`. Outside the table it is zero where the table says so; else throws InputError.

@@ -22,6 +22,7 @@ HWY_BEFORE_NAMESPACE();
 namespace skinfit::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// As many rays at a time as a register of this instruction set holds.
 using Doubles = hn::ScalableTag<double>;
 using Vector = hn::Vec<Doubles>;
 using Mask = hn::Mask<Doubles>;
@@ -29,10 +30,12 @@ using Words = hn::Rebind<std::int32_t, Doubles>;
 using Integers = hn::RebindToSigned<Doubles>;
 constexpr Doubles doubles;
 
+/// `value` for every ray.
 HWY_INLINE Vector constant(double value) {
     return hn::Set(doubles, value);
 }
 
+/// A polynomial with these coefficients, the constant first, by Horner's rule.
 template <std::size_t terms>
 HWY_INLINE Vector series(const std::array<double, terms>& coefficients, Vector x) {
     Vector sum = constant(coefficients[terms - 1]);
@@ -40,16 +43,19 @@ HWY_INLINE Vector series(const std::array<double, terms>& coefficients, Vector x
     return sum;
 }
 
+/// The functions of model/trigonometry.hpp, operation by operation, so that rays get the same bits.
 HWY_INLINE Vector cosine_of_turns(Vector turns) {
     const Vector angle = hn::Mul(constant(2.0 * pi), hn::Sub(hn::Abs(hn::Sub(turns, constant(0.5))), constant(0.25)));
     return hn::Mul(angle, series(detail::alternating_coefficients<8, 1>, hn::Mul(angle, angle)));
 }
 
+/// See `cosine_of_turns`.
 HWY_INLINE Vector sine_of_turns(Vector turns) {
     return cosine_of_turns(
         hn::IfThenElse(hn::Lt(turns, constant(0.25)), hn::Add(turns, constant(0.75)), hn::Sub(turns, constant(0.25))));
 }
 
+/// See `cosine_of_turns`.
 HWY_INLINE Vector decay(Vector depth) {
     const Vector limited = hn::Min(depth, constant(detail::most_decay));
     const Vector shifted = hn::Add(hn::Mul(limited, constant(detail::halvings_per_decay)), constant(detail::rounder));
@@ -62,14 +68,17 @@ HWY_INLINE Vector decay(Vector depth) {
     return hn::Mul(series(detail::decay_coefficients<detail::decay_terms>, rest), power);
 }
 
+/// The square root, 0 for what rounding has left below 0.
 HWY_INLINE Vector root_or_zero(Vector x) {
     return hn::Sqrt(hn::Max(x, hn::Zero(doubles)));
 }
 
+/// The sine of an angle of that cosine.
 HWY_INLINE Vector sine_to(Vector cosine) {
     return root_or_zero(hn::Sub(constant(1.0), hn::Mul(cosine, cosine)));
 }
 
+/// The polar cosine after a deflection: `deflected_cosine` of the scalar walk.
 HWY_INLINE Vector deflected_cosine(Vector cosine, Vector deflection_cosine, Vector deflection_sine,
                                    Vector azimuth_cosine) {
     return hn::Add(hn::Mul(cosine, deflection_cosine),
@@ -83,6 +92,7 @@ HWY_INLINE auto shifted_words(const std::uint32_t* points, std::uint32_t shift) 
                    hn::Set(words, static_cast<std::int32_t>(shift)));
 }
 
+/// `to_uniform` of each word.
 template <class WordVector>
 HWY_INLINE Vector uniforms_of(WordVector bits) {
     // As signed numbers the words lie 2^31 too low once their highest bit is turned over.
@@ -168,6 +178,7 @@ private:
 };
 #endif
 
+/// `RayleighScattering` of the scalar walk.
 HWY_INLINE Vector rayleigh_cosine(Edition edition, Vector xi) {
     if (edition == Edition::revised) {
         const Vector q = hn::Sub(hn::Mul(constant(8.0), xi), constant(4.0));

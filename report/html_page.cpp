@@ -9,15 +9,13 @@
 namespace skinfit {
 
 namespace page_style {
-extern const EmbeddedFile embedded_files[];
-extern const std::size_t embedded_file_count;
+std::span<const EmbeddedFile> embedded_files();
 }  // namespace page_style
 
 namespace {
 
 std::string_view style() {
-    assert(page_style::embedded_file_count == 1);
-    return page_style::embedded_files[0].text;
+    return page_style::embedded_files().front().text;
 }
 
 std::string words_joined(std::string_view title) {

@@ -99,12 +99,6 @@ std::string legend_script(int height) {
 
 }  // namespace
 
-std::optional<PhysiologicalPrior> known_of(Parameter parameter) {
-    const auto all = physiological_priors();
-    const auto found = std::ranges::find(all, parameter, &PhysiologicalPrior::parameter);
-    return found == all.end() ? std::nullopt : std::optional(*found);
-}
-
 std::string interval_picture(const std::vector<FittedParameter>& free) {
     const int height = legend_height + static_cast<int>(free.size()) * row_height + below;
     std::string script =

@@ -9,9 +9,6 @@
 
 namespace skinfit {
 
-/// What is known of `parameter` beside the spectrum; none for most.
-[[nodiscard]] std::optional<PhysiologicalPrior> known_of(Parameter parameter);
-
 /// The free parameters (at least one), each over an axis of its own: value, 95 % interval and, where one is published,
 /// the range of healthy skin. As SVG by gnuplot. Throws InputError when gnuplot is missing or fails.
 [[nodiscard]] std::string interval_picture(const std::vector<FittedParameter>& free);

@@ -8,7 +8,7 @@
 namespace skinfit {
 
 namespace reference_list {
-extern const EmbeddedFile embedded_files[];
+std::span<const EmbeddedFile> embedded_files();
 }  // namespace reference_list
 
 namespace {
@@ -19,7 +19,7 @@ std::vector<std::pair<std::string, std::string>> all_references() {
     constexpr std::string_view end = "]**";
     std::vector<std::pair<std::string, std::string>> entries;
     bool inside = false;
-    for (const std::string_view line : split_lines(reference_list::embedded_files[0].text)) {
+    for (const std::string_view line : split_lines(reference_list::embedded_files().front().text)) {
         if (line.starts_with(begin)) {
             const std::size_t close = line.find(end);
             entries.emplace_back(line.substr(begin.size(), close - begin.size()),

@@ -16,6 +16,7 @@ struct CohortLabel {
     bool above;    ///< true of values above the limit, else of those below
     double limit;  ///< belongs to neither side
 
+    /// Whether `values` lie within the limits.
     [[nodiscard]] bool holds(const ParameterValues& values) const;
 };
 

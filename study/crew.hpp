@@ -32,6 +32,7 @@ public:
     /// Waits for the tasks that have begun and drops the others.
     ~ThreadCrew();
 
+    /// Has worker `number`, which must be idle, do `task`.
     void give(std::size_t number, std::string task);
     /// A task that is done, waiting at most so long for one.
     [[nodiscard]] std::optional<DoneTask> take(std::chrono::milliseconds patience);

@@ -18,6 +18,7 @@ struct Proportion {
     std::size_t trials;
     Bounds interval_95;
 
+    /// Of the trials, 0 to 1; there must be one.
     [[nodiscard]] double share() const { return static_cast<double>(count) / static_cast<double>(trials); }
 };
 

@@ -60,6 +60,9 @@ public:
     /// Opens the ledger at `path`, for writing also makes it. For one that writes, `LedgerLock` must be held. Throws
     /// InputError for a file that is no ledger, is damaged, or was made by a later version of the program.
     Ledger(const std::filesystem::path& path, Access access);
+    Ledger(const Ledger&) = delete;
+    Ledger& operator=(const Ledger&) = delete;
+    /// A ledger moves with its open file.
     Ledger(Ledger&&) noexcept;
     Ledger& operator=(Ledger&&) noexcept;
     ~Ledger();
@@ -79,6 +82,7 @@ public:
     /// The spectra of one file that wait, by their numbers.
     [[nodiscard]] std::vector<LedgerKey> pending(const std::string& source) const;
 
+    /// Spectra by their status.
     [[nodiscard]] StatusCounts counts() const;
 
     /// Calls `use` with each spectrum of the study, in its order.

@@ -12,6 +12,7 @@ public:
     explicit LedgerLock(const std::filesystem::path& ledger);
     LedgerLock(const LedgerLock&) = delete;
     LedgerLock& operator=(const LedgerLock&) = delete;
+    /// Takes the lock over from `other`.
     LedgerLock(LedgerLock&& other) noexcept;
     LedgerLock& operator=(LedgerLock&&) = delete;
     ~LedgerLock();

@@ -20,6 +20,7 @@ public:
     /// Of the leader: dismisses the followers. Waits for all processes of the job.
     ~MpiJob();
 
+    /// Whether this process hands out the work.
     [[nodiscard]] bool leads() const { return rank_ == 0; }
 
     /// The followers, for the leader. Calls must come from the thread that made this.

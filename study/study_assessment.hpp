@@ -23,6 +23,7 @@ struct IndicatorAssessment {
     std::optional<CalibrationAnalysis> calibration;
 };
 
+/// One assessment of an indicator by the rows of a ledger.
 [[nodiscard]] IndicatorAssessment assessed(const Study& study, const Assessment& assessment,
                                            const std::vector<AnsweredRow>& rows);
 

@@ -20,6 +20,7 @@ struct StudyCounts {
     std::vector<std::pair<std::string, std::string>> unread_cubes;  ///< source and reason
 };
 
+/// Of the spectra and images of `ledger`.
 [[nodiscard]] StudyCounts counts_of(const Ledger& ledger);
 
 /// The configuration of the fits, JSON, as the last run noted it. Throws InputError where none has come so far.

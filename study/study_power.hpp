@@ -51,6 +51,7 @@ struct PowerAnswer {
 [[nodiscard]] PowerAnswer power_answer(const Study& study, const std::vector<AnsweredRow>& rows,
                                        const PowerQuestion& question);
 
+/// As text and as JSON.
 [[nodiscard]] std::string power_text(const PowerAnswer& answer);
 [[nodiscard]] Json power_json(const PowerAnswer& answer);
 

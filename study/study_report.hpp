@@ -15,6 +15,7 @@ struct StudyResults {
     std::string version;        ///< of the program that fitted
 };
 
+/// What the rows of `ledger` say to the questions of `study`.
 [[nodiscard]] StudyResults results_of(const Study& study, const Ledger& ledger);
 
 /// The report as a page that needs nothing but itself: counts; what was rejected and failed, and why; parameters by

@@ -29,6 +29,7 @@ struct StudyProgress {
     std::uint64_t pixels_to_do = 0;
 };
 
+/// How a study is run, and who is told.
 struct StudyRunOptions {
     int jobs = 1;  ///< threads
     EnsembleCache cache;

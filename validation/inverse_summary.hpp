@@ -16,6 +16,7 @@ struct Coverage {
     std::size_t identifiable;
     std::size_t covered;
 
+    /// 0 to 1; some must be identifiable.
     [[nodiscard]] double share() const { return static_cast<double>(covered) / static_cast<double>(identifiable); }
     /// Whether the share lies within 93 to 97 %, or what chance makes of 95 % in so few spectra; fewer than 20
     /// identifiable ones decide nothing.
@@ -38,6 +39,7 @@ struct Agreement {
     std::size_t agreeing;
     double wanted_share;
 
+    /// 0 to 1, and whether it is as large as wanted.
     [[nodiscard]] double share() const { return static_cast<double>(agreeing) / static_cast<double>(spectra); }
     [[nodiscard]] bool passes() const { return share() >= wanted_share; }
 };
@@ -54,6 +56,7 @@ struct RecoverySummary {
     std::size_t diverged;   ///< any divergence
 };
 
+/// Of all parameters and spectra.
 [[nodiscard]] RecoverySummary summarised(const std::vector<RecoveredSpectrum>& spectra,
                                          const std::vector<FreeParameter>& free);
 

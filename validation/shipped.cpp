@@ -11,21 +11,12 @@
 namespace skinfit {
 
 namespace figure_files {
-extern const EmbeddedFile embedded_files[];
-extern const std::size_t embedded_file_count;
+std::span<const EmbeddedFile> embedded_files();
 }  // namespace figure_files
-
-namespace {
-
-std::span<const EmbeddedFile> files() {
-    return {figure_files::embedded_files, figure_files::embedded_file_count};
-}
-
-}  // namespace
 
 std::vector<Figure> shipped_figures() {
     std::vector<Figure> figures;
-    for (const EmbeddedFile& file : files()) {
+    for (const EmbeddedFile& file : figure_files::embedded_files()) {
         if (file.name.ends_with(".json")) figures.push_back(parse_figure(file.text, std::string(file.name)));
     }
     std::ranges::sort(figures, {}, &Figure::number);
@@ -40,7 +31,7 @@ std::optional<Spectrum> measured_spectrum(const std::string& name, const std::fi
         return read_spectrum(path);
     }
     std::vector<std::string_view> known;
-    for (const EmbeddedFile& file : files()) {
+    for (const EmbeddedFile& file : figure_files::embedded_files()) {
         if (file.name == name) return parse_spectrum(file.text, name);
         if (file.name.ends_with(".csv")) known.push_back(file.name);
     }

@@ -140,7 +140,7 @@ export function App({vocabulary}: {vocabulary: Vocabulary}) {
                         setFits={setFits} say={setNews} onError={onError} />
                 </div>
             </main>
-            <footer>skinfit {vocabulary.version}. Research software, not a medical device. Shaded parts of sliders are the usual ranges of the literature.</footer>
+            <footer>skinfit {vocabulary.version}. Research software, not a medical device. Shaded parts of sliders are the ranges published for healthy skin.</footer>
         </>
     );
 }

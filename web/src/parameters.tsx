@@ -83,7 +83,7 @@ function UsualRange({parameter}: {parameter: Parameter}) {
     const scale = scaleOf(parameter);
     const from = 100 * scale.toPosition(usual.lower);
     const to = 100 * scale.toPosition(usual.upper);
-    const words = `usual ${shown(usual.lower, 3)} to ${shown(usual.upper, 3)} ${unit}`;
+    const words = `healthy skin ${shown(usual.lower, 3)} to ${shown(usual.upper, 3)} ${unit}`;
     return (
         <span class="usual" style={{left: `${from}%`, width: `${to - from}%`}} title={`${words}; ${usual.source}`}>
             <span class="hidden">{words}</span>

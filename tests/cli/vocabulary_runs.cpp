@@ -1,0 +1,99 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/text.hpp"
+#include "tests/cli/cli_test.hpp"
+#include "tests/support/known_names.hpp"
+
+namespace skinfit::test {
+namespace {
+
+using Arguments = std::vector<std::string>;
+using Json = nlohmann::ordered_json;
+
+/// The keys of `json`, at any depth, but those that users choose.
+void add_keys(const Json& json, Names& names) {
+    if (!json.is_structured()) return;
+    for (const auto& [key, value] : json.items()) {
+        if (json.is_object()) names.insert(key);
+        if (key != "metadata") add_keys(value, names);
+    }
+}
+
+/// The columns of a table with comments above.
+Names columns_of(const std::string& csv) {
+    for (const std::string_view line : split_lines(csv)) {
+        if (line.starts_with('#')) continue;
+        const std::vector<std::string_view> columns = split(line, ',');
+        return {columns.begin(), columns.end()};
+    }
+    return {};
+}
+
+Names unknown_among(const Names& names) {
+    Names unknown;
+    const Names known = known_names();
+    std::ranges::set_difference(names, known, std::inserter(unknown, unknown.end()));
+    return unknown;
+}
+
+class VocabularyRuns : public CliTest {
+protected:
+    void SetUp() override {
+        CliTest::SetUp();
+        const Outcome made = run({"simulate", "--set", "engine=solver", "--wavelengths", "450:650:10"});
+        ASSERT_EQ(made.exit_code, 0) << made.err;
+        put("made.csv", made.out);
+    }
+
+    [[nodiscard]] std::string output_of(Arguments arguments, const std::string& format) const {
+        arguments.insert(arguments.end(), {"--format", format});
+        const Outcome outcome = run(arguments);
+        EXPECT_THAT(outcome.exit_code, testing::AnyOf(0, 1)) << outcome.err;
+        return outcome.out;
+    }
+};
+
+TEST_F(VocabularyRuns, EveryKeyOfJsonIsAWordOfIt) {
+    for (const Arguments& arguments :
+         {Arguments{"fit", "made.csv", "--set", "engine=solver", "--cross-check", "--uncertainty", "profile"},
+          Arguments{"fit", "made.csv", "--set", "engine=emulator", "--uncertainty", "posterior"},
+          Arguments{"inspect", "made.csv"}, Arguments{"simulate", "--set", "engine=solver"},
+          Arguments{"sensitivity", "--set", "engine=solver"}, Arguments{"convert", "made.csv"},
+          Arguments{"design", "bilirubin_g_per_l", "--set", "engine=solver"},
+          Arguments{"gonio", "--wavelengths", "550", "--set", "rays=1000"},
+          Arguments{"gonio", "--reciprocity", "--wavelengths", "550", "--set", "rays=1000"}}) {
+        Names names;
+        add_keys(Json::parse(output_of(arguments, "json")), names);
+        EXPECT_FALSE(names.empty());
+        EXPECT_THAT(unknown_among(names), testing::IsEmpty()) << testing::PrintToString(arguments);
+    }
+}
+
+TEST_F(VocabularyRuns, EveryColumnIsAWordOfIt) {
+    for (const Arguments& arguments :
+         {Arguments{"simulate", "--set", "engine=solver"}, Arguments{"sensitivity", "--set", "engine=solver"},
+          Arguments{"gonio", "--wavelengths", "550", "--set", "rays=1000"},
+          Arguments{"gonio", "--reciprocity", "--wavelengths", "550", "--set", "rays=1000"}}) {
+        const Names names = columns_of(output_of(arguments, "csv"));
+        EXPECT_GT(names.size(), 1U);
+        EXPECT_THAT(unknown_among(names), testing::IsEmpty()) << testing::PrintToString(arguments);
+    }
+}
+
+TEST_F(VocabularyRuns, DescribeSaysWhatAnyOfThemMeans) {
+    for (const std::string& name : {"bilirubin_g_per_l", "engine", "runs_p_value"}) {
+        const Outcome outcome = run({"describe", name});
+        EXPECT_EQ(outcome.exit_code, 0);
+        EXPECT_THAT(outcome.out, testing::StartsWith(name + ": ")) << outcome.err;
+    }
+    const Outcome all = run({"describe"});
+    EXPECT_THAT(all.out, testing::AllOf(testing::HasSubstr("bilirubin_g_per_l"), testing::HasSubstr("engine")));
+    const Outcome refused = run({"describe", "bilirubin"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, testing::HasSubstr("did you mean \"bilirubin_g_per_l\"?"));
+}
+
+}  // namespace
+}  // namespace skinfit::test

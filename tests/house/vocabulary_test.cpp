@@ -1,0 +1,113 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+
+#include "core/text.hpp"
+#include "core/vocabulary.hpp"
+#include "fit/settings.hpp"
+#include "model/parameters.hpp"
+#include "tests/house/source_tree.hpp"
+#include "tests/support/known_names.hpp"
+
+namespace skinfit::house {
+namespace {
+
+using test::known_names;
+using test::Names;
+
+/// Files whose words are not ours: of HTML, of shells, and of other people's spectra.
+bool speaks_for_itself(const std::string& path) {
+    return path.starts_with("report/html") || path.starts_with("app/completion") ||
+           path == "app/command_completion.cpp" || path == "report/uncertainty_section.cpp" ||
+           path == "report/fit_report.cpp" || path == "model/chromophores.cpp" ||
+           (path.starts_with("measurements/") && !path.ends_with("json.cpp"));
+}
+
+/// What `text` writes as a key of JSON, `{"key", ...}` and `["key"]`, or as a line of columns, `"first,second"`.
+Names written_names(const std::string& text) {
+    static const std::regex key(R"re((?:\{|\[)"([a-z][a-z0-9_]*)"(?:,|\]))re");
+    static const std::regex columns(R"re("([a-z][a-z0-9_]*(?:,[a-z][a-z0-9_]*)+),?(?:\\n)?")re");
+    Names names;
+    for (std::sregex_iterator each(text.begin(), text.end(), key), end; each != end; ++each) names.insert((*each)[1]);
+    for (std::sregex_iterator each(text.begin(), text.end(), columns), end; each != end; ++each) {
+        for (const std::string_view name : split(each->str(1), ',')) names.emplace(name);
+    }
+    return names;
+}
+
+std::vector<std::string> outside_the_vocabulary(const std::vector<SourceFile>& files) {
+    const Names known = known_names();
+    std::vector<std::string> unknown;
+    for (const SourceFile& file : files) {
+        if (speaks_for_itself(file.path)) continue;
+        for (const std::string& name : written_names(file.text)) {
+            if (!known.contains(name)) unknown.push_back(file.path + ": " + name);
+        }
+    }
+    return unknown;
+}
+
+bool is_part_of_a_name(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// Whether `name` stands in one of `texts`, and not as a part of a longer name.
+bool stands_in(const std::vector<SourceFile>& files, std::string_view name) {
+    return std::ranges::any_of(files, [&](const SourceFile& file) {
+        for (std::size_t at = file.text.find(name); at != std::string::npos; at = file.text.find(name, at + 1)) {
+            const std::size_t end = at + name.size();
+            const bool begins = at == 0 || !is_part_of_a_name(file.text[at - 1]);
+            if (begins && (end == file.text.size() || !is_part_of_a_name(file.text[end]))) return true;
+        }
+        return false;
+    });
+}
+
+std::vector<SourceFile> sources() {
+    return source_files(source_folders(), {".cpp", ".hpp"});
+}
+
+TEST(Vocabulary, HoldsEveryNameThatTheProgramWrites) {
+    EXPECT_THAT(outside_the_vocabulary(sources()), testing::IsEmpty());
+}
+
+TEST(Vocabulary, FindsANameThatIsNotInIt) {
+    const std::vector<SourceFile> made = {
+        {"fit/made.cpp", R"(Json{{"chi_squared", 1}}; json["rmse_error"]; "verdict,chi_2\n")"}};
+    EXPECT_THAT(outside_the_vocabulary(made),
+                testing::ElementsAre("fit/made.cpp: chi_2", "fit/made.cpp: chi_squared", "fit/made.cpp: rmse_error"));
+}
+
+TEST(Vocabulary, HoldsNoWordThatIsNotUsed) {
+    const std::vector<SourceFile> files = sources();
+    for (const Word& word : vocabulary()) EXPECT_TRUE(stands_in(files, word.name)) << word.name;
+    EXPECT_FALSE(stands_in(files, "wavelength_n"));
+}
+
+TEST(Vocabulary, IsInOrderAndDefinesNothingTwice) {
+    const std::span<const Word> words = vocabulary();
+    ASSERT_GT(words.size(), 250U);
+    EXPECT_TRUE(std::ranges::is_sorted(words, std::ranges::less(), &Word::name));
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        EXPECT_FALSE(i > 0 && words[i].name == words[i - 1].name) << words[i].name;
+        EXPECT_FALSE(words[i].meaning.empty()) << words[i].name;
+        EXPECT_FALSE(find_parameter(words[i].name).has_value()) << words[i].name << " is a parameter";
+        EXPECT_EQ(std::ranges::find(setting_table(), words[i].name, &Setting::name), setting_table().end())
+            << words[i].name << " is a setting";
+    }
+}
+
+TEST(Vocabulary, SaysUnitsInNames) {
+    constexpr std::array<std::string_view, 8> units = {"nm", "mm", "cm", "deg", "s", "per_sr", "g_per_l", "per_cm"};
+    for (const Word& word : vocabulary()) {
+        const auto ends_in = [&](std::string_view unit) { return word.name.ends_with("_" + std::string(unit)); };
+        EXPECT_TRUE(word.unit.empty() || ends_in(word.unit)) << word.name << " is in " << word.unit;
+        const bool names_a_unit = std::ranges::any_of(units, ends_in) && !ends_in("per_s") && !ends_in("per_cpu_s");
+        EXPECT_EQ(names_a_unit, !word.unit.empty()) << word.name;
+    }
+}
+
+}  // namespace
+}  // namespace skinfit::house
