@@ -13,8 +13,8 @@ struct Complaint {
     std::string remedy;   ///< what to do about it
 };
 
-/// The user's input cannot be used. Caught in `main` only; `what()` reads
-/// `<where>: <problem> (<why>); <what to do>`, on one line.
+/// The user's input cannot be used. Caught in `main`, and where one bad input must not stop the others: in studies, in
+/// the explorer, in the cache. `what()` reads `<where>: <problem> (<why>); <what to do>`, on one line.
 class InputError : public std::runtime_error {
 public:
     /// The message of `complaint`, whose four parts must not be empty.

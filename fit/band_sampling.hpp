@@ -11,7 +11,7 @@ namespace skinfit {
 
 /// How the readings of an instrument are made of the model's readings at single wavelengths: a reading is the integral
 /// of the model over the instrument's bandpass about the stated wavelength, with the model linear between the multiples
-/// of 2 nm, at which the extinctions of haemoglobin are tabulated. The integral of that is exact.
+/// of 2 nm, at which the extinctions of hemoglobin are tabulated. The integral of that is exact.
 struct BandSampling {
     std::vector<double> wavelength_nm;  ///< at which the model is needed, ascending
     /// Readings x wavelengths; the rows add up to 1. Without rows a reading is the model at its own wavelength.

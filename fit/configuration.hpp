@@ -73,7 +73,7 @@ enum class Loss {
 enum class Kernel { squared_exponential, matern_3_2 };
 
 /// The model's departure from real skin, a Gaussian process over wavelength. Real skin, five pigments fitted, departs
-/// smoothly by 0.005-0.01; the length is that of the bends of fitted residuals, which are as wide as a haemoglobin
+/// smoothly by 0.005-0.01; the length is that of the bends of fitted residuals, which are as wide as a hemoglobin
 /// band.
 struct Discrepancy {
     double sigma = 0.005;  ///< standard deviation, fraction

@@ -75,7 +75,7 @@ std::vector<Finding> findings_before_fit(const Configuration& configuration, std
     std::vector<Finding> findings = findings_in(as_fitted);
     // Without the dermis a sample has no blood to find.
     const bool has_dermis = configuration.layers == 4;
-    if (!has_dermis) std::erase_if(findings, [](const Finding& each) { return each.name == "no_haemoglobin"; });
+    if (!has_dermis) std::erase_if(findings, [](const Finding& each) { return each.name == "no_hemoglobin"; });
     return findings;
 }
 

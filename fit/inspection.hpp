@@ -36,7 +36,7 @@ struct Inspection {
 [[nodiscard]] std::vector<Finding> findings_in(std::span<const Spectrum> spectra);
 
 /// The findings on spectra that are to be fitted, with quantity and geometry as `configuration` resolves them;
-/// haemoglobin is looked for where there are four layers.
+/// hemoglobin is looked for where there are four layers.
 [[nodiscard]] std::vector<Finding> findings_before_fit(const Configuration& configuration,
                                                        std::span<const Spectrum> spectra);
 

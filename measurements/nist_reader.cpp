@@ -95,7 +95,7 @@ private:
 /// Each standard uncertainty pooled with those of its neighbours, root mean square: a few repeats cross each other here
 /// and there by chance, which is no certainty.
 std::vector<double> pooled(const std::vector<double>& sigma, const std::vector<double>& wavelength_nm) {
-    constexpr double reach_nm = 50;  // wider than a band of haemoglobin
+    constexpr double reach_nm = 50;  // wider than a band of hemoglobin
     std::vector<double> smooth;
     for (const double centre_nm : wavelength_nm) {
         double sum = 0;

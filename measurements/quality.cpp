@@ -15,7 +15,7 @@ namespace skinfit {
 std::vector<Finding> quality_findings(std::span<const Spectrum> spectra, const ModelledRange& modelled) {
     constexpr std::array checks = {
         unit_conflict,   outside_0_1, offset,     dark_everywhere, missing_values,       spikes,
-        collapse_at_end, falling_end, saturation, no_haemoglobin,  noise_against_repeats};
+        collapse_at_end, falling_end, saturation, no_hemoglobin,   noise_against_repeats};
     std::vector<Finding> findings;
     for (const Spectrum& spectrum : spectra) {
         for (const auto check : checks) {

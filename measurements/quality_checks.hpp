@@ -21,7 +21,7 @@ inline constexpr std::array<std::string_view, 14> quality_check_names = {
     "missing_values", "outside_tables",
     "spikes",         "collapse_at_end",
     "falling_end",    "saturation",
-    "no_haemoglobin", "noise_against_repeats",
+    "no_hemoglobin",  "noise_against_repeats",
     "duplicate",      "reflectance_plus_transmittance"};
 
 /// `unit_conflict`: the unit is fraction, and half of the values or more exceed `largest_fraction`; or it is percent,
@@ -48,7 +48,7 @@ inline constexpr std::array<std::string_view, 14> quality_check_names = {
 
 /// `spikes`: a reading that lies beyond both of its neighbours, on the same side, by more than 0.01, 0.002 per nm of
 /// half their distance, and 6 standard deviations of the spectrum's own reading-to-reading noise. Sound skin does so by
-/// 0.0068 at most at 3 nm and 0.0135 at 10 nm, at a haemoglobin band; white noise, in one of 1e6 readings.
+/// 0.0068 at most at 3 nm and 0.0135 at 10 nm, at a hemoglobin band; white noise, in one of 1e6 readings.
 [[nodiscard]] std::optional<Finding> spikes(const Spectrum& spectrum);
 
 /// `collapse_at_end`: over its last 20 nm the spectrum falls to less than half; or, a reflectance, towards its first
@@ -63,11 +63,11 @@ inline constexpr std::array<std::string_view, 14> quality_check_names = {
 /// by more than three times the grain of its numbers. Sound skin has three at most, of a maximum that is rounded.
 [[nodiscard]] std::optional<Finding> saturation(const Spectrum& spectrum);
 
-/// `no_haemoglobin`: between 540 and 580 nm the natural logarithm of the spectrum lies less than 0.04 below its chord
+/// `no_hemoglobin`: between 540 and 580 nm the natural logarithm of the spectrum lies less than 0.04 below its chord
 /// from 510 to 620 nm, on average. Melanin bends it the other way. The weakest bare skin has 0.088 (the darkest of
 /// [VRHEL94]); heavy make-up hides it. What has it may still be no skin: so has a red paint. Spectra that do not cover
 /// the chord with ten readings or have values that are not positive there are not judged.
-[[nodiscard]] std::optional<Finding> no_haemoglobin(const Spectrum& spectrum);
+[[nodiscard]] std::optional<Finding> no_hemoglobin(const Spectrum& spectrum);
 
 /// `noise_against_repeats`: the scatter of the repeats contradicts the stated uncertainty: scatter^2 / (repeats
 /// sigma^2), averaged over the wavelengths, has a probability below 1e-3 on either side under chi-square with as many

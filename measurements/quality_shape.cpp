@@ -120,7 +120,7 @@ std::optional<Finding> saturation(const Spectrum& spectrum) {
     return std::nullopt;
 }
 
-std::optional<Finding> no_haemoglobin(const Spectrum& spectrum) {
+std::optional<Finding> no_hemoglobin(const Spectrum& spectrum) {
     constexpr double least_bump = 0.04;
     constexpr double first_nm = 510;
     constexpr double last_nm = 620;
@@ -142,9 +142,9 @@ std::optional<Finding> no_haemoglobin(const Spectrum& spectrum) {
     }
     if (bump >= least_bump) return std::nullopt;
     return Finding{
-        .name = "no_haemoglobin",
+        .name = "no_hemoglobin",
         .spectrum = spectrum.name,
-        .message = fmt::format("the bands of haemoglobin between 540 and 580 nm absorb {:.3f} more than their "
+        .message = fmt::format("the bands of hemoglobin between 540 and 580 nm absorb {:.3f} more than their "
                                "surroundings, in logarithm; bare skin has 0.09 or more",
                                bump),
         .remedy = "check that this is skin without make-up, the right column, and not the white standard"};

@@ -22,8 +22,8 @@ struct AngularResolution {
     int points;          ///< quadrature nodes per piece
     int crowded_points;  ///< the same where the integrands are steep
 
-    /// The coarsest resolution whose shares were found within `accuracy` of the converged values: 1e-3, 1e-4 or 2e-5
-    /// (docs/model.md has the measurements). Throws InputError below that.
+    /// The coarsest resolution whose shares were found within `accuracy` (1e-3, 1e-4 or 2e-5) of those of 24 panels:
+    /// see docs/model.md, "Accuracy and cost", and tests/model/angular_convergence.cpp. Throws InputError below 2e-5.
     [[nodiscard]] static AngularResolution for_accuracy(double accuracy);
 };
 

@@ -41,9 +41,9 @@ struct AngularResponse {
 /// The walk of `RandomWalk`, solved without noise: the expected shares of `random_walk` and `PathEnsemble`, and their
 /// derivatives by every absorbing and steering parameter. docs/model.md, section "Angular solver", has the equations
 /// and the measured accuracy. Calls are independent of each other and may come from any thread; copies are cheap.
-///
-/// Derivatives are those of the shares as computed, to rounding. By a layer's refractive index the shares have a kink
-/// where neighbouring layers have the same index, since a critical angle appears; a finite one-sided value is given.
+/// Derivatives are those of the shares as computed, to rounding; that by the index of the stratum corneum holds a
+/// central difference. By a layer's refractive index the shares have a kink where neighbouring layers have the same
+/// index, since a critical angle appears; a finite one-sided value is given.
 class AngularSolver {
 public:
     /// `sample` is copied.

@@ -1,9 +1,12 @@
 #include "model/chromophores.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "core/input_error.hpp"
 #include "model/table.hpp"
 
 namespace skinfit {
@@ -73,9 +76,21 @@ PerLayer<double> absorption_derivative(const Skin& skin, const Extinction& extin
     }
 }
 
+/// What one table knows is of no help: the model needs them all.
+void require_modelled(double wavelength_nm) {
+    static const WavelengthRange modelled = modelled_wavelengths();
+    if (wavelength_nm >= modelled.lowest_nm && wavelength_nm <= modelled.highest_nm) return;
+    throw InputError(
+        {.where = fmt::format("wavelength {} nm", wavelength_nm),
+         .problem = "outside the tables",
+         .why = fmt::format("the pigments are tabulated from {} to {} nm", modelled.lowest_nm, modelled.highest_nm),
+         .remedy = "choose wavelengths inside that range"});
+}
+
 }  // namespace
 
 Extinction Extinction::at(double wavelength_nm, Edition edition) {
+    require_modelled(wavelength_nm);
     static const Curve eumelanin(embedded_table("eumelanin"), "eumelanin");
     static const Curve pheomelanin(embedded_table("pheomelanin"), "pheomelanin");
     static const Curve oxyhemoglobin(embedded_table("hemoglobin"), "oxyhemoglobin");

@@ -44,9 +44,9 @@ public:
     /// Rays are recorded in this many batches, whose scatter shows the Monte Carlo error of anything computed here.
     static constexpr std::size_t batch_count = 32;
 
-    /// Traces `options.rays` rays that enter the sample, per wavelength. The same bits on any machine and for any
-    /// number of threads. `options.rays` must be at least `batch_count`. Throws Cancelled soon after `stop` is
-    /// requested.
+    /// Traces `options.rays` rays, `batch_count` at least, that enter the sample, per wavelength. The same bits for any
+    /// number of threads and instruction set, and on any machine whose C library gives the same bits for the cos, sin
+    /// and pow from which directions and scattering start. Throws Cancelled soon after `stop` is requested.
     [[nodiscard]] static PathEnsemble trace(const Sample& sample, const std::vector<double>& wavelengths_nm,
                                             const WalkOptions& options, const std::stop_token& stop = {});
 

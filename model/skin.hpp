@@ -26,7 +26,7 @@ struct Skin {
     double pheomelanin_g_per_l = 12;           ///< in a melanosome
     double papillary_blood_fraction = 0.012;   ///< volume fraction of the papillary dermis
     double reticular_blood_fraction = 0.0091;  ///< volume fraction of the reticular dermis
-    double oxygen_saturation = 0.75;           ///< oxyhaemoglobin share of the haemoglobin
+    double oxygen_saturation = 0.75;           ///< oxyhemoglobin share of the hemoglobin
     double hemoglobin_g_per_l = 150;           ///< in whole blood
     double bilirubin_g_per_l = 0.05;           ///< in whole blood
     double stratum_corneum_carotene_g_per_l = 2.1e-4;

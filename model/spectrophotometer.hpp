@@ -42,11 +42,11 @@ struct Experiment {
 
 /// What the instrument reads at one wavelength, as fractions.
 struct Reading {
-    double wavelength_nm;  ///< as the instrument states it
-    double reflectance;    ///< scale * (subsurface reflectance or its factor + collected surface reflectance) + offset
-    double reflectance_se;
-    double transmittance;  ///< scale * transmitted share + offset, whatever the viewing cone
-    double transmittance_se;
+    double wavelength_nm;   ///< as the instrument states it
+    double reflectance;     ///< scale * (subsurface reflectance or its factor + collected surface reflectance) + offset
+    double reflectance_se;  ///< standard error: of random numbers; by the emulator the error it is certified for
+    double transmittance;   ///< scale * transmitted share + offset, whatever the viewing cone
+    double transmittance_se;     ///< as `reflectance_se`
     double surface_reflectance;  ///< of the surface alone, whether collected or not
 };
 

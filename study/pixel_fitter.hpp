@@ -28,7 +28,7 @@ enum class PixelReason : std::uint8_t {
     collapse_at_end,   ///< rejected
     falling_end,       ///< rejected
     saturation,        ///< rejected
-    no_haemoglobin,    ///< rejected
+    no_hemoglobin,     ///< rejected
     not_converged,     ///< failed
     misfit,            ///< suspect: chi2 is improbable under the noise
     no_freedom,        ///< suspect: as many parameters as wavelengths, so that nothing tests the model
@@ -36,8 +36,8 @@ enum class PixelReason : std::uint8_t {
     not_identifiable,  ///< suspect: the pixel says less about a parameter than its bounds do
 };
 inline constexpr std::array<std::string_view, 16> pixel_reason_names = {
-    "none",   "missing_values",  "unit_conflict", "outside_0_1",     "offset",         "dark_everywhere",
-    "spikes", "collapse_at_end", "falling_end",   "saturation",      "no_haemoglobin", "not_converged",
+    "none",   "missing_values",  "unit_conflict", "outside_0_1",     "offset",        "dark_everywhere",
+    "spikes", "collapse_at_end", "falling_end",   "saturation",      "no_hemoglobin", "not_converged",
     "misfit", "no_freedom",      "at_bound",      "not_identifiable"};
 
 /// The word for `reason` in headers and legends.

@@ -16,7 +16,7 @@ inline constexpr double solver_accuracy = 1e-4;
 /// the solver. The reason counts the differences that are within these errors.
 [[nodiscard]] Finding darker_in_order(std::span<const SpectralCurve> curves);
 
-/// How far the curve at 560 nm rises above the chord between 542 and 577 nm, the two bands of oxyhaemoglobin: the depth
+/// How far the curve at 560 nm rises above the chord between 542 and 577 nm, the two bands of oxyhemoglobin: the depth
 /// of the W, below zero where there is a dip instead.
 [[nodiscard]] double w_depth(const SpectralCurve& curve);
 

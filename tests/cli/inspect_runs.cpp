@@ -39,11 +39,11 @@ TEST_F(InspectRuns, ShowWhatAGoodFileHolds) {
 
 TEST_F(InspectRuns, StrictRefusesAfterShowing) {
     put("grey.csv", grey);
-    EXPECT_NE(output_of({"inspect", "grey.csv"}).find("WARNING no_haemoglobin: "), std::string::npos);
+    EXPECT_NE(output_of({"inspect", "grey.csv"}).find("WARNING no_hemoglobin: "), std::string::npos);
     const Outcome outcome = run({"inspect", "grey.csv", "--strict", "--format", "json"});
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_EQ(Json::parse(outcome.out)["findings"][0]["name"], "no_haemoglobin");
-    EXPECT_TRUE(outcome.err.starts_with("error: grey.csv: grey: no_haemoglobin: ")) << outcome.err;
+    EXPECT_EQ(Json::parse(outcome.out)["findings"][0]["name"], "no_hemoglobin");
+    EXPECT_TRUE(outcome.err.starts_with("error: grey.csv: grey: no_hemoglobin: ")) << outcome.err;
 }
 
 TEST_F(InspectRuns, DrawThePictureAskedFor) {
@@ -71,10 +71,10 @@ TEST_F(InspectRuns, FitsCarryTheFindingsAndStrictOnesStopBefore) {
     std::vector<std::string> arguments = fit;
     const Outcome text = run(arguments);
     EXPECT_EQ(text.exit_code, 1);
-    EXPECT_NE(text.out.find("SPECTRUM IN DOUBT: no_haemoglobin"), std::string::npos) << text.out;
-    EXPECT_NE(text.out.find("findings:\n  WARNING no_haemoglobin: "), std::string::npos) << text.out;
+    EXPECT_NE(text.out.find("SPECTRUM IN DOUBT: no_hemoglobin"), std::string::npos) << text.out;
+    EXPECT_NE(text.out.find("findings:\n  WARNING no_hemoglobin: "), std::string::npos) << text.out;
     arguments.insert(arguments.end(), {"--format", "json"});
-    EXPECT_EQ(Json::parse(run(arguments).out)["findings"][0]["name"], "no_haemoglobin");
+    EXPECT_EQ(Json::parse(run(arguments).out)["findings"][0]["name"], "no_hemoglobin");
     arguments.emplace_back("--strict");
     const Outcome strict = run(arguments);
     EXPECT_EQ(strict.exit_code, 2);

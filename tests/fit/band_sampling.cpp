@@ -113,7 +113,7 @@ TEST(BandSampling, IsWithinATenthOfTheNoiseOfTheDenseIntegral) {
         for (const Bandpass& band : {Bandpass{.shape = BandpassShape::triangular, .width_nm = 5},
                                      Bandpass{.shape = BandpassShape::triangular, .width_nm = 10},
                                      Bandpass{.shape = BandpassShape::rectangular, .width_nm = 10}}) {
-            for (const double centre_nm : {415.0, 453.0, 541.0, 560.0, 577.0, 592.5}) {  // where haemoglobin bends most
+            for (const double centre_nm : {415.0, 453.0, 541.0, 560.0, 577.0, 592.5}) {  // where hemoglobin bends most
                 const BandSampling sampling = sample_bands({centre_nm}, band);
                 std::vector<double> modelled;
                 for (const double at_nm : sampling.wavelength_nm) modelled.push_back(solver.shares(at_nm).viewed.share);

@@ -54,7 +54,7 @@ TEST(TerminalPlots, DrawARisingLineFromCornerToCorner) {
     EXPECT_EQ(std::ranges::count(text, '\n'), 14);
 }
 
-TEST(Inspections, LookForHaemoglobinWhereThereIsADermis) {
+TEST(Inspections, LookForHemoglobinWhereThereIsADermis) {
     Spectrum grey;
     grey.name = "grey";
     for (int nm = 400; nm <= 700; nm += 10) {
@@ -65,7 +65,7 @@ TEST(Inspections, LookForHaemoglobinWhereThereIsADermis) {
     Configuration configuration = default_configuration();
     const std::vector<Finding> of_skin = findings_before_fit(configuration, spectra);
     ASSERT_EQ(of_skin.size(), 1U);
-    EXPECT_EQ(of_skin[0].name, "no_haemoglobin");
+    EXPECT_EQ(of_skin[0].name, "no_hemoglobin");
     configuration.layers = 2;
     EXPECT_TRUE(findings_before_fit(configuration, spectra).empty());
 }

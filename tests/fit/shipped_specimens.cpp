@@ -48,7 +48,7 @@ double extreme_nm(const FitResult& result, double first, double last, double sig
     return best_nm;
 }
 
-TEST(ShippedSpecimens, ModelledLightSkinShowsTheWOfOxyhaemoglobin) {
+TEST(ShippedSpecimens, ModelledLightSkinShowsTheWOfOxyhemoglobin) {
     const FitResult result = fitted("ncsu_113.csv", "");
     const double left_nm = extreme_nm(result, 520, 560, -1.0);
     const double peak_nm = extreme_nm(result, 545, 575, +1.0);

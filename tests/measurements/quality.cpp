@@ -157,16 +157,16 @@ TEST(QualityFindings, NameAClippedTop) {
     EXPECT_FALSE(saturation(rounded)) << "a maximum that is flat because its numbers are coarse";
 }
 
-TEST(QualityFindings, DoubtWhatHasNoHaemoglobin) {
+TEST(QualityFindings, DoubtWhatHasNoHemoglobin) {
     const auto leaf = [](double at_nm) {
         return 0.05 + 0.1 * bell(at_nm, 550, 30) + 0.45 / (1 + std::exp((715 - at_nm) / 10));
     };
     for (const std::function<double(double)>& thing : std::vector<std::function<double(double)>>{
              [](double) { return 0.18; }, [](double at_nm) { return 0.9 + at_nm * 1e-5; }, leaf,
              [](double at_nm) { return 0.05 + std::exp(-2 * std::pow(at_nm / 500, -3.3)); }}) {
-        EXPECT_EQ(names_on(made(thing)), Names{"no_haemoglobin"});
+        EXPECT_EQ(names_on(made(thing)), Names{"no_hemoglobin"});
     }
-    EXPECT_FALSE(no_haemoglobin(made(leaf, 400, 600))) << "not to be judged without the red";
+    EXPECT_FALSE(no_hemoglobin(made(leaf, 400, 600))) << "not to be judged without the red";
 }
 
 TEST(QualityFindings, CompareTheStatedNoiseWithRepeats) {

@@ -87,7 +87,7 @@ TEST_F(SharedSets, TheBadSpectraOfXiaoAreFoundAndNoOthers) {
     EXPECT_EQ(names.at("dark_everywhere"), dark);
     EXPECT_EQ(names.at("offset"),
               (Names{"1847", "2263", "2265", "2291", "2293", "2295", "2377", "2937", "3005", "3923"}));
-    EXPECT_EQ(names.at("no_haemoglobin"), (Names{"2153", "3603", "3693", "3783"})) << "a rise without bands: make-up";
+    EXPECT_EQ(names.at("no_hemoglobin"), (Names{"2153", "3603", "3693", "3783"})) << "a rise without bands: make-up";
 }
 
 TEST_F(SharedSets, OneSpectrumOfLuIsDarkEverywhere) {

@@ -55,6 +55,14 @@ TEST(Chromophores, RangeIsWhereAllTablesAnswer) {
     EXPECT_NO_THROW((void)Extinction::at(range.highest_nm, Edition::revised));
     EXPECT_THROW((void)Extinction::at(range.lowest_nm - 0.01, Edition::revised), InputError);
     EXPECT_THROW((void)Extinction::at(range.highest_nm + 0.01, Edition::revised), InputError);
+    try {
+        (void)Extinction::at(830, Edition::revised);
+        FAIL() << "no error";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "wavelength 830 nm: outside the tables (the pigments are tabulated from 250 to 820.26 nm); choose "
+                     "wavelengths inside that range");
+    }
     EXPECT_GT(Extinction::at(700, Edition::revised).bilirubin, 0.0);
     EXPECT_EQ(Extinction::at(700.01, Edition::revised).bilirubin, 0.0);
     EXPECT_EQ(Extinction::at(700.01, Edition::revised).carotene, 0.0);

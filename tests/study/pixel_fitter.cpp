@@ -99,7 +99,7 @@ TEST(PixelFitter, RejectsWhatTheChecksWarnOfAndFitsNothing) {
         {PixelReason::falling_end, changed([&](std::size_t i, double v) { return i == last ? 0.6 * v : v; })},
         {PixelReason::saturation,
          changed([&](std::size_t i, double v) { return i + 5 > last ? good[last] + 0.05 : v; })},
-        {PixelReason::no_haemoglobin,
+        {PixelReason::no_hemoglobin,
          changed([](std::size_t i, double) { return 0.2 + 0.01 * static_cast<double>(i); })},
     };
     EXPECT_EQ(fitter.fit(good).reason, PixelReason::none);
@@ -170,7 +170,7 @@ TEST(PixelFitter, DoubtsAFitWithoutDegreesOfFreedom) {
     EXPECT_EQ(pixels.fitter().fit(pixels.values(7)).reason, PixelReason::no_freedom);
 }
 
-TEST(PixelFitter, LooksForHaemoglobinOnlyInADermis) {
+TEST(PixelFitter, LooksForHemoglobinOnlyInADermis) {
     Pixels pixels;
     pixels.cube.configuration = with_free(pixels.cube.configuration, {Parameter::melanosome_fraction});
     pixels.cube.configuration.layers = 2;
