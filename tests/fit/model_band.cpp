@@ -59,9 +59,11 @@ TEST(ModelBand, HasATraceOfTheNumberOfFreeParameters) {
 }
 
 TEST(ModelBand, IgnoresAParameterThatIsHeldAtItsBound) {
-    Fitted fitted(quick_configuration());
-    fitted.inference.uncertainty.parameters.front().status = Status::at_lower_bound;
-    EXPECT_NEAR(trace(fitted), 4.0, rounding);
+    for (const Status status : {Status::at_lower_bound, Status::at_upper_bound}) {
+        Fitted fitted(quick_configuration());
+        fitted.inference.uncertainty.parameters.front().status = status;
+        EXPECT_NEAR(trace(fitted), 4.0, rounding);
+    }
 }
 
 TEST(ModelBand, IsNotWidenedByWhatTheReadingsDoNotKnow) {

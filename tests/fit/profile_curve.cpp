@@ -171,6 +171,24 @@ TEST(ProfileCurve, OfAFitIsInItsValuesAndNearlyThatOfTheCovariance) {
     }
 }
 
+TEST(ProfileCurve, OfWhatTheReadingIsLinearInHasTheSlopesOfItsParabola) {
+    Configuration truth = with_free(quick_configuration(), {Parameter::scale, Parameter::offset});
+    truth.uncertainty = UncertaintyMethod::profile;
+    const FitResult result =
+        fit_spectrum(truth, modelled_spectrum(truth, grid_nm(400, 700, 10)), {.cache = no_cache()});
+    for (std::size_t i = 0; i < result.free.size(); ++i) {
+        const double sigma = *result.free[i].uncertainty.sigma;
+        const ProfileCurve& curve = result.profile->intervals[i].curve;
+        ASSERT_GE(curve.size(), 3U);
+        for (const ProfilePoint& point : curve) {
+            // In sigmas; to the ridge of 1e-6 beside the information and to what the descents leave.
+            const double distance = (point.at - result.free[i].value) / sigma;
+            EXPECT_NEAR(point.cost_slope * sigma, 2.0 * distance, 1e-3) << result.free[i].name;
+            EXPECT_NEAR(point.sigma / sigma, 1.0, 1e-3) << result.free[i].name;
+        }
+    }
+}
+
 TEST(ProfileCurve, IsInTheReportForPrograms) {
     const FitResult result = fitted(UncertaintyMethod::profile);
     const Json report = json_report(result);

@@ -123,6 +123,35 @@ TEST(Formats, CgatsTakesTheUnitFromItsNormAndExactWavelengthsFromItsKeywords) {
     EXPECT_DOUBLE_EQ(spectrum.wavelength_nm[2], 380 + 20.0 / 3);
 }
 
+TEST(Formats, JcampFactorsMultiplyAbscissasAndOrdinatesInBothForms) {
+    const std::string head = "##TITLE= one\n##XUNITS= NANOMETERS\n##YUNITS= REFLECTANCE\n";
+    const std::string factors = "##XFACTOR= 4\n##YFACTOR= 0.125\n";
+    const std::string steps = "##FIRSTX= 400\n##LASTX= 408\n##NPOINTS= 3\n##XYDATA= (X++(Y..Y))\n";
+    const std::string pairs = "##XYPOINTS= (XY..XY)\n";
+    for (const std::string& text :
+         {head + factors + steps + "100 1 2 3\n##END=\n", head + factors + pairs + "100 1, 101 2, 102 3\n##END=\n"}) {
+        const Spectrum spectrum = parse_spectra(text, "f.jdx").spectra.front();
+        EXPECT_EQ(spectrum.wavelength_nm, (Numbers{400, 404, 408})) << text;
+        EXPECT_EQ(spectrum.value, (Numbers{0.125, 0.25, 0.375})) << text;
+    }
+}
+
+TEST(Formats, JsonListsInAnyOrderOfWavelengthsReadTheSame) {
+    const Spectrum up = parse_spectra(R"({"wavelength_nm": [400, 410, 420, 430], "value": [0.1, 0.2, null, 0.4],
+                                          "sigma": [0.01, 0.02, null, 0.04], "repeats": [[0.11, 0.21, null, 0.41]]})",
+                                      "f")
+                            .spectra.front();
+    const Spectrum mixed = parse_spectra(R"({"wavelength_nm": [420, 430, 410, 400], "value": [null, 0.4, 0.2, 0.1],
+                                             "sigma": [null, 0.04, 0.02, 0.01], "repeats": [[null, 0.41, 0.21, 0.11]]})",
+                                         "f")
+                               .spectra.front();
+    EXPECT_EQ(up.repeats, (std::vector<Numbers>{{0.11, 0.21, 0.41}}));
+    EXPECT_EQ(mixed.wavelength_nm, up.wavelength_nm);
+    EXPECT_EQ(mixed.value, up.value);
+    EXPECT_EQ(mixed.sigma, up.sigma);
+    EXPECT_EQ(mixed.repeats, up.repeats);
+}
+
 TEST(Formats, JsonCarriesTheWholeDescription) {
     const Spectrum spectrum =
         parse_spectra(R"({"name": "arm", "quantity": "reflectance", "incidence_deg": 8, "specular": "included",

@@ -104,6 +104,38 @@ TEST(GoniophotometerLaws, SurfaceReflectionAtNormalIncidenceIsTheFoldWarp) {
     }
 }
 
+/// The surface's reflectance averaged over a range of incidence: evenly over the `power`-th power of the sine.
+double mean_reflectance(const Incidence& range, double power) {
+    const FresnelInterface surface(1.0, Skin{}.stratum_corneum_refractive_index);
+    const double lowest = std::pow(std::sin(range.lowest_rad), power);
+    const double highest = std::pow(std::sin(range.highest_rad), power);
+    constexpr int steps = 10'000;
+    double sum = 0.0;
+    for (int i = 0; i < steps; ++i) {
+        const double sine = std::pow(std::lerp(lowest, highest, (i + 0.5) / steps), 1.0 / power);
+        sum += surface.reflectance(std::sqrt(1.0 - sine * sine));
+    }
+    return sum / steps;
+}
+
+TEST(GoniophotometerLaws, ARangeOfIncidenceIsFilledEvenlyByProjectedSolidAngle) {
+    constexpr std::uint64_t rays = 1'000'000;
+    Sample sample;
+    sample.skin.stratum_corneum_thickness_cm = 1.0;  // black, for speed: what enters is absorbed
+    sample.skin.stratum_corneum_carotene_g_per_l = 1.0;
+    std::vector<double> z;
+    std::vector<double> z_of_sines;
+    for (const Incidence& range : {Incidence{0.0, 1.5}, Incidence{0.9, 1.4}, Incidence{1.2, 1.3}}) {
+        const WalkCounts totals =
+            goniophotometer(sample, {450}, {.incidence = range, .rays = rays, .seed = 22, .bins = {}})[0].totals;
+        const test::Estimate found = test::share_of(totals.surface_reflected, rays);
+        z.push_back((found.value - mean_reflectance(range, 2.0)) / found.standard_error);
+        z_of_sines.push_back((found.value - mean_reflectance(range, 1.0)) / found.standard_error);
+    }
+    EXPECT_GT(test::family_wise_p_value(z), test::passing_p_value);
+    EXPECT_LT(test::family_wise_p_value(z_of_sines), test::passing_p_value) << "even in the sine passes";
+}
+
 TEST(GoniophotometerLaws, StandardErrorIsTheScatterOverSeeds) {
     // The sum of squares over se^2 of s independent runs is chi-square with s - 1 degrees of freedom; a ring of two
     // wavelengths of different weights.

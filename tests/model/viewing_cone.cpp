@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "model/angular_solver.hpp"
+#include "model/scattering.hpp"
 #include "model/spectrophotometer.hpp"
 #include "tests/model/angular_samples.hpp"
 
@@ -52,6 +53,16 @@ TEST_P(SeenByCone, TheFactorIsTheExitShareOverThatOfAWhiteDiffuser) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, SeenByCone, testing::ValuesIn(all_angular_cases()), case_name);
+
+TEST(WhiteDiffuser, SendsIntoAConeWhatTheCosineLawDoes) {
+    // Two roundings of numbers up to 1.
+    constexpr double few_roundings = 4e-16;
+    for (const double cone_rad : {0.02, 0.1, 0.3, 1.0, 1.5, right_angle}) {
+        const double diffused = 1.0 - DiffuseScattering::share_below(std::cos(cone_rad));
+        EXPECT_NEAR(white_share(cone_rad), diffused, few_roundings);
+    }
+    EXPECT_EQ(white_share(std::nullopt), 1.0);
+}
 
 TEST(ViewedWalk, FollowsTheRaysOfTheRandomWalk) {
     const WalkOptions options{.incidence_rad = 0.7, .rays = 20'000, .seed = 3};

@@ -1,0 +1,40 @@
+#include "model/spectrophotometer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace skinfit {
+namespace {
+
+/// Skin from which nothing returns: an optical depth of hundreds in the stratum corneum alone.
+Experiment black_skin() {
+    Experiment experiment;
+    experiment.incidence_rad = 1.2;
+    experiment.values.skin.stratum_corneum_thickness_cm = 1.0;
+    experiment.values.skin.stratum_corneum_carotene_g_per_l = 1.0;
+    experiment.specular = Specular::excluded;
+    experiment.values.instrument = {.scale = 1.25, .offset = 0.01};
+    return experiment;
+}
+
+TEST(ReadByWalk, OfBlackSkinCountsAShareOfTheRaysThatTheSurfaceReflects) {
+    constexpr std::uint64_t rays = 20'000;
+    constexpr double few_roundings = 1e-14;
+    for (const double fraction : {0.0, 0.25, 0.5, 1.0}) {
+        Experiment experiment = black_skin();
+        experiment.values.instrument.specular_fraction = fraction;
+        const Reading reading = read_by_walk(experiment, {450}, rays, 3).front();
+        const double surface = reading.surface_reflectance;
+        ASSERT_GT(surface, 0.1);
+        EXPECT_NEAR(reading.reflectance, 1.25 * fraction * surface + 0.01, few_roundings);
+        // A share of a binomial count scatters by that share of its scatter.
+        const double scatter = std::sqrt(surface * (1.0 - surface) / static_cast<double>(rays - 1));
+        EXPECT_NEAR(reading.reflectance_se, 1.25 * fraction * scatter, few_roundings);
+        EXPECT_EQ(reading.transmittance, 0.01);
+        EXPECT_EQ(reading.transmittance_se, 0.0);
+    }
+}
+
+}  // namespace
+}  // namespace skinfit
