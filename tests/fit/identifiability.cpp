@@ -5,6 +5,10 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "fit/inference.hpp"
+#include "fit/minimum.hpp"
+#include "tests/fit/synthetic.hpp"
+
 namespace skinfit::test {
 namespace {
 
@@ -52,6 +56,19 @@ TEST(Identifiability, APriorCountsInsteadOfTheBounds) {
     const Identifiability found = identifiability((MatrixXd(1, 2) << 100, 0).finished(), free);
     // One prior sigma changes the reading by one sigma: half of the variance is left.
     EXPECT_NEAR(found.shrinkage[0], 0.5, 1e-5);
+}
+
+TEST(Identifiability, ShrinkageByAPosteriorIsThatOfItsVariance) {
+    Configuration truth = with_free(quick_configuration(), {Parameter::offset});
+    truth.noise = 0.02;  // leaves the offset a tenth of the standard deviation that its bounds do
+    const Task task(truth, modelled_spectrum(truth, grid_nm(400, 700, 20)));
+    const Minimum minimum{.values = starts(task.problem), .termination = {}};
+    const auto left_by = [&](UncertaintyMethod method) {
+        return 1.0 - infer(task.objective, minimum, method, 1).identifiability.shrinkage.front();
+    };
+    const double left = left_by(UncertaintyMethod::covariance);
+    // To five standard errors of a variance from 1000 effective draws, and to what bounds differ from a normal prior.
+    EXPECT_NEAR(left_by(UncertaintyMethod::posterior), left, 5.0 * std::sqrt(2.0 / 1000) * left + left * left);
 }
 
 }  // namespace

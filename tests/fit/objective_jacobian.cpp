@@ -135,5 +135,20 @@ TEST(Objective, BatchesAverageToTheReading) {
     EXPECT_LE((mean - reading).cwiseAbs().maxCoeff(), 3200 * std::numeric_limits<double>::epsilon());
 }
 
+TEST(Objective, StandardErrorsOfReadingsAreTheScatterOfTheirBatches) {
+    Configuration configuration = with_free(quick_configuration(), {Parameter::melanosome_fraction, Parameter::scale});
+    configuration.rays = 32 * 100;  // batches of equal size: the plain scatter
+    const Task task(configuration, modelled_spectrum(configuration, grid_nm(400, 700, 50)));
+    const std::vector<double> values = {0.05, 1.5};
+    const Eigen::MatrixXd batches = task.objective.batch_readings(values);
+    const auto count = static_cast<double>(batches.cols());
+    const Eigen::MatrixXd deviations = batches.colwise() - Eigen::VectorXd(batches.rowwise().mean());
+    const Eigen::VectorXd scatter = (deviations.rowwise().squaredNorm() / (count * (count - 1.0))).cwiseSqrt();
+    const Eigen::VectorXd error = task.objective.model(values).standard_error;
+    EXPECT_GT(scatter.minCoeff(), 0.0);
+    // As above, of readings of about 1.
+    EXPECT_LE((error - scatter).cwiseAbs().maxCoeff(), 3200 * std::numeric_limits<double>::epsilon());
+}
+
 }  // namespace
 }  // namespace skinfit::test

@@ -195,6 +195,18 @@ TEST(Uncertainty, AtTheOneSidedLimitChi2HasRisenBy271AsNoiseFalls) {
     }
 }
 
+TEST(Uncertainty, MonteCarloErrorOfAnOffsetIsThatOfTheMeanReadingOverTheBatches) {
+    const Configuration truth = with_free(quick_configuration(), {Parameter::offset});
+    const Task task(truth, modelled_spectrum(truth, grid_nm(400, 700, 10)));
+    const Minimum minimum = at(starts(task.problem));
+    // With equal noise an offset is the mean difference from the readings: each batch says what its mean does.
+    const Eigen::VectorXd means = task.objective.batch_readings(minimum.values).colwise().mean().transpose();
+    const auto batches = static_cast<double>(means.size());
+    const double squares = (means.array() - means.mean()).square().sum();
+    const double found = *estimate_uncertainty(task.objective, minimum).parameters.front().monte_carlo_sigma;
+    EXPECT_NEAR(found / std::sqrt(squares / (batches * (batches - 1.0))), 1.0, 1e-9);
+}
+
 TEST(Uncertainty, UpperBoundsWorkLikeLowerOnes) {
     Configuration truth = inner_truth();
     truth.values.skin.oxygen_saturation = 1.0;

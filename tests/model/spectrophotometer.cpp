@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <vector>
 
 namespace skinfit {
 namespace {
@@ -33,6 +35,33 @@ TEST(ReadByWalk, OfBlackSkinCountsAShareOfTheRaysThatTheSurfaceReflects) {
         EXPECT_NEAR(reading.reflectance_se, 1.25 * fraction * scatter, few_roundings);
         EXPECT_EQ(reading.transmittance, 0.01);
         EXPECT_EQ(reading.transmittance_se, 0.0);
+    }
+}
+
+TEST(Readings, ScaleAndOffsetOfTheInstrumentActOnThemAndTheScaleOnTheirErrors) {
+    const std::vector<double> wavelengths_nm = {450, 600};
+    Experiment plain;
+    plain.base = {Base::Kind::matched};
+    Experiment scaled = plain;
+    scaled.values.instrument.scale = 2.0;  // a power of two: the product is exact
+    scaled.values.instrument.offset = 0.125;
+    const PathEnsemble ensemble =
+        PathEnsemble::trace(plain.sample(), wavelengths_nm, {.incidence_rad = plain.incidence_rad, .rays = 3200});
+    const auto engines = {
+        std::function([&](const Experiment& experiment) { return read_by_walk(experiment, wavelengths_nm, 2000, 3); }),
+        std::function(
+            [&](const Experiment& experiment) { return read_by_paths(experiment, wavelengths_nm, ensemble); }),
+        std::function([&](const Experiment& experiment) { return read_by_solver(experiment, wavelengths_nm); })};
+    for (const auto& read : engines) {
+        const std::vector<Reading> before = read(plain);
+        const std::vector<Reading> after = read(scaled);
+        for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
+            EXPECT_EQ(after[i].reflectance, 2.0 * before[i].reflectance + 0.125);
+            EXPECT_EQ(after[i].transmittance, 2.0 * before[i].transmittance + 0.125);
+            EXPECT_EQ(after[i].reflectance_se, 2.0 * before[i].reflectance_se);
+            EXPECT_EQ(after[i].transmittance_se, 2.0 * before[i].transmittance_se);
+            EXPECT_EQ(after[i].surface_reflectance, before[i].surface_reflectance);
+        }
     }
 }
 
