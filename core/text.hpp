@@ -27,6 +27,11 @@ private:
     std::size_t feed_ = 0;  ///< the next LF at or after `at_`, or the end
 };
 
+/// Whether `c` is one of 0 to 9.
+[[nodiscard]] constexpr bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
 /// The lines of `text`; LF, CRLF and CR all end a line.
 [[nodiscard]] std::vector<std::string_view> split_lines(std::string_view text);
 

@@ -33,7 +33,7 @@ public:
         // Unicode numbers the dots of a cell so; braille had six dots at first, the lowest two came later.
         constexpr std::array<std::array<std::uint8_t, dots_x>, dots_y> bits = {
             {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}}};
-        cells_.at(static_cast<std::size_t>(from_top / dots_y * columns + column / dots_x)) |=
+        cells_.at(place(column / dots_x, from_top / dots_y)) |=
             bits.at(static_cast<std::size_t>(from_top % dots_y)).at(static_cast<std::size_t>(column % dots_x));
     }
 
@@ -41,7 +41,7 @@ public:
     [[nodiscard]] std::string row(int number) const {
         std::string text;
         for (int column = 0; column < columns; ++column) {
-            const std::uint8_t cell = cells_.at(static_cast<std::size_t>(number * columns + column));
+            const std::uint8_t cell = cells_.at(place(column, number));
             // U+2800 and the cell's dots, in UTF-8.
             text += {'\xe2', static_cast<char>(0xa0 + (cell >> 6)), static_cast<char>(0x80 + (cell & 0x3f))};
         }
@@ -49,6 +49,11 @@ public:
     }
 
 private:
+    /// Of a cell; `row` is counted from the top.
+    static std::size_t place(int column, int row) {
+        return static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column);
+    }
+
     std::array<std::uint8_t, static_cast<std::size_t>(columns* rows)> cells_{};
 };
 

@@ -72,7 +72,7 @@ RowShape CellCutter::shape(std::string_view line) {
         const std::span<const std::string_view> cells = cut(line);
         return {.width = cells.size(), .filled = filled_width(cells), .first = cells.front()};
     }
-    const std::size_t separators = static_cast<std::size_t>(std::ranges::count(line, separator_));
+    const auto separators = static_cast<std::size_t>(std::ranges::count(line, separator_));
     const std::size_t last =
         line.find_last_not_of(separator_ == '\t' ? " \t\v\f" : std::string{' ', '\t', '\v', '\f', separator_});
     const std::size_t empty_at_end = last == std::string_view::npos

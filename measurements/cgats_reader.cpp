@@ -135,8 +135,8 @@ double reading(const Token& cell, std::string_view field, const std::string& sou
 
 /// By SPECTRAL_NORM, the reading of a perfect white; else by the rule for files that state nothing.
 UnitFinding unit_of(const Table& table, const std::vector<double>& readings, const std::optional<Unit>& option) {
-    const std::optional<double> norm = table.number("SPECTRAL_NORM");
-    if (option || (norm != 1 && norm != 100)) {
+    const double norm = table.number("SPECTRAL_NORM").value_or(0.0);
+    if (option || (norm != 1.0 && norm != 100.0)) {
         std::vector<double> present;
         std::ranges::copy_if(readings, std::back_inserter(present), [](double value) { return !std::isnan(value); });
         return find_unit({.option = option, .comment = std::nullopt, .header = {}}, present);

@@ -23,10 +23,6 @@ namespace {
 bool is_separator(char c) {
     return c == ' ' || c == '\t' || c == ',' || c == ';' || c == '\v' || c == '\f';
 }
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 /// What a character that starts a number says.
 enum class Form { plain, squeezed, difference, duplicate };
 struct Lead {
@@ -127,7 +123,7 @@ public:
             times != std::floor(times)) {
             refuse(where_, text, "duplicates are counted from 1, up to a million ordinates to a line");
         }
-        for (double i = 1; i < times; ++i)
+        for (int i = 1; i < static_cast<int>(times); ++i)
             line_.ordinates.push_back(line_.ordinates.back() + (is_difference_ ? difference_ : 0));
     }
     [[nodiscard]] bool end_in_difference() const { return is_difference_; }

@@ -22,7 +22,7 @@ struct JcampLine {
 ///
 /// Throws InputError at `where` for what has none of these forms, and for a line that decodes to more than a million
 /// ordinates.
-[[nodiscard]] JcampLine decode_jcamp_line(std::string_view line, const std::string& where);
+[[nodiscard]] JcampLine decode_jcamp_line(std::string_view text, const std::string& where);
 
 /// The numbers of a line in AFFN, separated by blanks, commas or semicolons. Throws InputError for anything else.
 [[nodiscard]] std::vector<double> decode_affn(std::string_view line, const std::string& where);

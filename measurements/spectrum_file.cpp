@@ -101,21 +101,21 @@ std::vector<std::string_view> reader_names() {
 }
 
 SpectrumFile parse_spectra(std::string_view text, const std::string& source, const ReadOptions& options,
-                           const std::optional<std::string>& wanted) {
+                           const std::optional<std::string>& reader) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     refuse_zip(text, source);
     refuse_region(options.region, source);
-    const Reader& reader = find_reader(text, wanted);
+    const Reader& chosen = find_reader(text, reader);
     SpectrumFile file{
-        .source = source, .format = std::string(reader.name), .spectra = reader.read(text, source, options)};
+        .source = source, .format = std::string(chosen.name), .spectra = chosen.read(text, source, options)};
     if (file.spectra.empty()) {
         throw InputError({.where = source,
                           .problem = "holds no numbers",
                           .why = "every value of every spectrum is missing",
                           .remedy = "check that the file is complete"});
     }
-    if (options.column && reader.read != read_columns) {
+    if (options.column && chosen.read != read_columns) {
         file.spectra = {choose_spectrum(std::move(file.spectra), source, *options.column)};
     }
     return file;

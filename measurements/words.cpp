@@ -35,7 +35,7 @@ std::string lower_case(std::string_view text) {
 bool starts_like_a_number(std::string_view text) {
     if (parse_number(text)) return true;
     const std::size_t mantissa = text.find_first_not_of("+-.,");
-    return mantissa != std::string_view::npos && mantissa <= 2 && text[mantissa] >= '0' && text[mantissa] <= '9';
+    return mantissa != std::string_view::npos && mantissa <= 2 && is_digit(text[mantissa]);
 }
 
 }  // namespace skinfit

@@ -20,10 +20,6 @@ bool is_upper(char c) {
     return std::isupper(static_cast<unsigned char>(c)) != 0;
 }
 
-bool is_digit(char c) {
-    return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
-
 /// The citation key behind the bracket at `open`: two capitals or more, digits, then a comma or the closing bracket.
 /// Empty where there is none: for an index (`values[N]`), an attribute, or a Markdown link.
 std::string key_at(std::string_view text, std::size_t open) {
