@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -9,7 +10,9 @@
 #include "fit/fit.hpp"
 #include "fit/models.hpp"
 #include "fit/report.hpp"
+#include "fit/runs_test.hpp"
 #include "tests/fit/synthetic.hpp"
+#include "tests/support/statistics.hpp"
 
 namespace skinfit::test {
 namespace {
@@ -97,6 +100,44 @@ TEST(JointFit, ReflectanceAndTransmittanceTogetherRecoverTheTruthMoreSurelyThanE
             EXPECT_LT(sigma, fit_spectrum(with_epidermis_free(), spectrum, options).free[i].uncertainty.sigma.value());
         }
     }
+}
+
+TEST(JointFit, ItsMisfitIsThatOfAllReadingsAndItsRunsThoseOfTheWorstSpectrum) {
+    std::vector<Spectrum> spectra = two_sites();
+    const std::vector<double> normal = normal_numbers(3, spectra[0].value.size());
+    for (Spectrum& spectrum : spectra) {
+        for (std::size_t i = 0; i < normal.size(); ++i) spectrum.value[i] += 0.006 * normal[i];
+    }
+    for (std::size_t i = 0; i < normal.size(); ++i)
+        spectra[1].value[i] += 0.01 * std::sin(0.7 * static_cast<double>(i));
+    spectra[1].wavelength_nm.resize(21);
+    spectra[1].value.resize(21);
+    const FitResult joint = fit_spectra(site_configuration(), spectra, {.cache = no_cache()});
+    double squares = 0.0;
+    double chi2 = 0.0;
+    std::vector<double> p_values;
+    for (const FittedSpectrum& spectrum : joint.spectra) {
+        std::vector<double> residuals;
+        for (std::size_t i = 0; i < spectrum.measured.size(); ++i) {
+            const double difference = spectrum.modelled[i] - spectrum.measured[i];
+            squares += difference * difference;
+            residuals.push_back(difference / spectrum.sigma[i]);
+            chi2 += residuals.back() * residuals.back();
+        }
+        p_values.push_back(runs_p_value(residuals).value());
+    }
+    constexpr double readings = 31 + 21;
+    constexpr double rounding = 1e-12;
+    EXPECT_EQ(joint.degrees_of_freedom, readings - 4);
+    EXPECT_NEAR(joint.rmse / std::sqrt(squares / readings), 1.0, rounding);
+    EXPECT_NEAR(joint.chi2 / chi2, 1.0, rounding);
+    EXPECT_NEAR(joint.inflation.value() / std::sqrt(chi2 / (readings - 4)), 1.0, rounding);
+    EXPECT_NEAR(joint.p_value.value(), chi_square_p_value(chi2, readings - 4), rounding);
+    EXPECT_NEAR(joint.unexplained / std::sqrt(chi2 / readings), 1.0, rounding);
+    // By Bonferroni: one of two spectra is this improbable by chance twice as often as one alone.
+    const double least = std::ranges::min(p_values);
+    ASSERT_LT(least, 0.5);
+    EXPECT_EQ(joint.runs_p_value, 2.0 * least);
 }
 
 TEST(JointFit, AnOwnParameterTouchesItsSpectrumAlone) {
