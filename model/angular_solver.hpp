@@ -19,7 +19,7 @@ namespace skinfit {
 struct AngularSolverOptions {
     double incidence_rad = 0.0;                   ///< 0 to below pi/2
     std::optional<double> viewing_cone_rad = {};  ///< as `Experiment` has it
-    AngularResolution resolution = AngularResolution::for_accuracy(1e-4);
+    AngularResolution resolution = AngularResolution::for_accuracy(solver_accuracy);
 };
 
 /// A share of the incident light and its derivatives.
