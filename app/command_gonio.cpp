@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -32,17 +33,31 @@ struct GonioCommand {
     bool reciprocity = false;
 };
 
-template <class Enum>
-Enum choice(const std::string& name, std::initializer_list<Enum> values) {
-    return *std::ranges::find_if(values, [&](Enum value) { return name_of(value) == name; });
+constexpr std::string_view green_light = "550";
+constexpr std::string_view visible_band = "400:700:20";
+constexpr std::uint64_t enough_rays = 1'000'000;  // for a per cent in most rings
+
+constexpr std::array illuminants = {BandIlluminant::equal_energy, BandIlluminant::d65, BandIlluminant::d65_v};
+constexpr std::array parts = {Light::reflected, Light::surface, Light::subsurface};
+
+template <class Choices>
+std::vector<std::string> names_of(const Choices& choices) {
+    std::vector<std::string> names;
+    for (const auto choice : choices) names.emplace_back(name_of(choice));
+    return names;
 }
 
-/// Green light unless a band is asked for, then the visible; enough rays for a per cent in most rings.
+template <class Choices>
+auto choice(const std::string& name, const Choices& choices) {
+    return *std::ranges::find_if(choices, [&](auto each) { return name_of(each) == name; });
+}
+
+/// Green light unless a band is asked for, then the visible.
 Configuration gonio_defaults(const GonioCommand& command) {
     Configuration configuration = default_configuration();
     const bool band = !command.response.empty() || command.illuminant != name_of(BandIlluminant::equal_energy);
-    configuration.wavelengths = band ? "400:700:20" : "550";
-    configuration.rays = 1'000'000;
+    configuration.wavelengths = band ? visible_band : green_light;
+    configuration.rays = enough_rays;
     return configuration;
 }
 
@@ -142,10 +157,9 @@ int run(const GonioCommand& command, Session& session) {
     GoniophotometerRun run;
     run.configuration = gonio_configuration(command);
     run.wavelengths_nm = parse_wavelengths(run.configuration.wavelengths, "wavelengths");
-    run.illuminant =
-        choice(command.illuminant, {BandIlluminant::equal_energy, BandIlluminant::d65, BandIlluminant::d65_v});
+    run.illuminant = choice(command.illuminant, illuminants);
     run.response = command.response;
-    run.light = choice(command.part, {Light::reflected, Light::surface, Light::subsurface});
+    run.light = choice(command.part, parts);
     run.spectrum.bins = bins_of(command);
     run.spectrum.weights = weights_of(run);
     (void)extinctions(run.wavelengths_nm, run.configuration.edition);  // refuses wavelengths outside the tables
@@ -164,13 +178,14 @@ void add_gonio_command(CLI::App& app, Session& session) {
     const auto command = std::make_shared<GonioCommand>();
     CLI::App* const gonio = app.add_subcommand("gonio", "compute the BRDF (and BTDF) of a described skin");
     gonio->add_option("--wavelengths", command->wavelengths,
-                      "nm: first:last:step or a list; 550, or 400:700:20 with --illuminant or --response");
+                      fmt::format("nm: first:last:step or a list; {}, or {} with --illuminant or --response",
+                                  green_light, visible_band));
     gonio->add_option("--illuminant", command->illuminant, "weight of the wavelengths; d65_v is D65 times V(lambda)")
-        ->check(CLI::IsMember({"equal_energy", "d65", "d65_v"}))
+        ->check(CLI::IsMember(names_of(illuminants)))
         ->capture_default_str();
     gonio->add_option("--response", command->response, "file of wavelength_nm,response; multiplies the illuminant")
         ->type_name("FILE");
-    gonio->add_option("--rays", command->rays, "per wavelength; 1000000");
+    gonio->add_option("--rays", command->rays, fmt::format("per wavelength; {}", enough_rays));
     gonio->add_option("--seed", command->seed, "of the random numbers");
     gonio->add_option("--polar-step", command->polar_step_deg, "width of the bins of the polar angle, degrees")
         ->check(CLI::Range(0.5, 90.0))
@@ -179,7 +194,7 @@ void add_gonio_command(CLI::App& app, Session& session) {
         ->check(CLI::Range(0.5, 180.0))
         ->capture_default_str();
     gonio->add_option("--part", command->part, "of the reflected light")
-        ->check(CLI::IsMember({"total", "surface", "subsurface"}))
+        ->check(CLI::IsMember(names_of(parts)))
         ->capture_default_str();
     gonio->add_flag("--reciprocity", command->reciprocity,
                     "compare both ways between pairs of directions, which the model does not promise to be equal");

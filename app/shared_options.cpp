@@ -97,13 +97,7 @@ EnsembleCache cache_from(const SharedOptions& options, ProgressLine& line) {
 }
 
 void make_output_folder(const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (!error && std::filesystem::is_directory(folder) && ::access(folder.c_str(), W_OK) == 0) return;
-    throw InputError({.where = fmt::format("--output {}", folder.string()),
-                      .problem = "no folder that can be written",
-                      .why = error ? error.message() : "it is a file or not ours to write",
-                      .remedy = "name another folder"});
+    make_folder(folder, fmt::format("--output {}", folder.string()));
 }
 
 std::unique_ptr<tbb::global_control> thread_limit(const SharedOptions& options) {

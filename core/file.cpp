@@ -172,6 +172,16 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view b
     if (failure != 0) refuse_to_write(path, failure);
 }
 
+void make_folder(const std::filesystem::path& path, const std::string& where) {
+    std::error_code error;
+    std::filesystem::create_directories(path, error);
+    if (!error && std::filesystem::is_directory(path) && ::access(path.c_str(), W_OK) == 0) return;
+    throw InputError({.where = where,
+                      .problem = "no folder that can be written",
+                      .why = error ? error.message() : "it is a file or not ours to write",
+                      .remedy = "name another folder"});
+}
+
 void write_scratch_file_atomically(const std::filesystem::path& path, std::span<const std::string_view> parts,
                                    const std::stop_token& stop) {
     constexpr std::size_t chunk_bytes = std::size_t{1} << 24U;  // written within some hundredths of a second

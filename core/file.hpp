@@ -28,6 +28,10 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view b
 void write_scratch_file_atomically(const std::filesystem::path& path, std::span<const std::string_view> parts,
                                    const std::stop_token& stop = {});
 
+/// Makes the folder at `path`, and those above it, where there is none. Throws InputError, naming `where`, where it is
+/// then no folder that can be written.
+void make_folder(const std::filesystem::path& path, const std::string& where);
+
 /// A file that is written in parts and then, in one step, takes the place of the one at its path. Until it does, or if
 /// it never does, the old one is untouched.
 class FileReplacement {

@@ -6,6 +6,7 @@
 #include "explore/configuration_request.hpp"
 #include "explore/simulation.hpp"
 #include "fit/configuration_json.hpp"
+#include "fit/fit_scale.hpp"
 #include "fit/named_instrument.hpp"
 #include "fit/physiological_priors.hpp"
 
@@ -14,6 +15,7 @@ namespace {
 
 /// Under which heading a parameter stands.
 std::string_view group_of(Parameter parameter) {
+    if (belongs_to_instrument(parameter)) return "instrument";
     switch (parameter) {
         case Parameter::melanosome_fraction:
         case Parameter::eumelanin_g_per_l:
@@ -31,11 +33,6 @@ std::string_view group_of(Parameter parameter) {
         case Parameter::fibre_refractive_index:
         case Parameter::fibril_radius_nm:
             return "dermis";
-        case Parameter::scale:
-        case Parameter::offset:
-        case Parameter::specular_fraction:
-        case Parameter::wavelength_shift_nm:
-            return "instrument";
         default:
             return "geometry";
     }
@@ -59,6 +56,7 @@ Json parameter_json(const ParameterInfo& info, const Configuration& defaults) {
             {"lower", info.lower},
             {"upper", info.upper},
             {"steers", info.steers},
+            {"logarithmic", has_logarithmic_scale(info.parameter)},
             {"default", value_of(defaults.values, info.parameter)},
             {"usual", usual_json(info.parameter)}};
 }

@@ -3,13 +3,6 @@
 #include "fit/reading.hpp"
 
 namespace skinfit {
-namespace {
-
-bool belongs_to_instrument(Parameter parameter) {
-    return parameter >= Parameter::scale;
-}
-
-}  // namespace
 
 EmulatorDomain emulator_domain(const FitProblem& problem, std::size_t number) {
     const Measurement& measurement = problem.measurements[number];

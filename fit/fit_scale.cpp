@@ -8,8 +8,8 @@ namespace {
 
 /// About where a pigment's effect begins to saturate: below it effects are linear. Thicknesses and the fibril radius
 /// scale effects by factors: their knee is their lower bound, which makes the scale a logarithm.
-double knee(const FreeParameter& free) {
-    switch (free.parameter) {
+double knee(Parameter parameter, const Bounds& bounds) {
+    switch (parameter) {
         case Parameter::melanosome_fraction:
             return 0.03;
         case Parameter::papillary_blood_fraction:
@@ -26,11 +26,16 @@ double knee(const FreeParameter& free) {
         case Parameter::papillary_dermis_thickness_cm:
         case Parameter::reticular_dermis_thickness_cm:
         case Parameter::fibril_radius_nm:
+        case Parameter::fold_aspect_ratio:
         case Parameter::scale:
-            return free.bounds.lower;
+            return bounds.lower;
         default:
             return 0.0;  // linear
     }
+}
+
+double knee(const FreeParameter& free) {
+    return knee(free.parameter, free.bounds);
 }
 
 /// The width of the box in units of the knee, on the logarithmic scale.
@@ -64,6 +69,11 @@ std::vector<double> each(const FitProblem& problem, std::span<const double> numb
 }
 
 }  // namespace
+
+bool has_logarithmic_scale(Parameter parameter) {
+    const ParameterInfo& row = info(parameter);
+    return knee(parameter, {.lower = row.lower, .upper = row.upper}) > 0.0;
+}
 
 std::vector<double> to_unit_box(const FitProblem& problem, std::span<const double> values) {
     return each(problem, values, to_position);

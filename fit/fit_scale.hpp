@@ -16,6 +16,9 @@
 /// is minimised and reported does not depend on this.
 namespace skinfit {
 
+/// Whether the parameter's position is logarithmic, within its default bounds; sliders of the page follow.
+[[nodiscard]] bool has_logarithmic_scale(Parameter parameter);
+
 /// The position of each free parameter between its bounds, 0 to 1, and back; 0 and 1 are the bounds exactly.
 [[nodiscard]] std::vector<double> to_unit_box(const FitProblem& problem, std::span<const double> values);
 [[nodiscard]] std::vector<double> from_unit_box(const FitProblem& problem, std::span<const double> positions);

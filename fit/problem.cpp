@@ -7,6 +7,7 @@
 #include "core/input_error.hpp"
 #include "fit/prior.hpp"
 #include "model/chromophores.hpp"
+#include "model/emulator.hpp"
 
 namespace skinfit {
 namespace {
@@ -17,12 +18,7 @@ std::string key(const FreeParameter& free) {
 
 void check_free(const FreeParameter& free, const Configuration& configuration) {
     const ParameterInfo& row = info(free.parameter);
-    if (row.steers && configuration.engine == Engine::emulator) {
-        throw InputError({.where = key(free),
-                          .problem = "cannot be adjusted by engine emulator",
-                          .why = "it changes where light goes, and an emulator stands for one geometry",
-                          .remedy = fmt::format("set engine=solver, or fix it (--fix {})", row.name)});
-    }
+    if (configuration.engine == Engine::emulator) refuse_to_emulate(free.parameter);
     if (row.steers && configuration.engine == Engine::paths) {
         throw InputError({.where = key(free),
                           .problem = "cannot be adjusted by engine paths",

@@ -180,7 +180,7 @@ Lines split_comments(std::string_view text, const std::string& source) {
     LineReader reader(text);
     while (const auto line = reader.next()) {
         ++number;
-        refuse_long_line(*line, number, source);
+        refuse_long_line(line->size(), number, source);
         std::size_t size = line->find('#');
         if (size != std::string_view::npos) size = find_unquoted(*line, "#");
         const std::string_view content = line->substr(0, size);

@@ -62,7 +62,7 @@ std::vector<JcampBlock> jcamp_blocks(std::string_view text, const std::string& s
     LineReader reader(text);
     while (const auto whole = reader.next()) {
         ++number;
-        refuse_long_line(*whole, number, source);
+        refuse_long_line(whole->size(), number, source);
         const std::string_view line = without_jcamp_comment(*whole);
         const std::size_t equals = line.find('=');
         if (!line.starts_with("##") || equals == std::string_view::npos) {

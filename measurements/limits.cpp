@@ -6,8 +6,8 @@
 
 namespace skinfit {
 
-void refuse_long_line(std::string_view line, std::size_t number, const std::string& source) {
-    if (line.size() <= longest_line_bytes) return;
+void refuse_long_line(std::size_t bytes, std::size_t number, const std::string& source) {
+    if (bytes <= longest_line_bytes) return;
     throw InputError({.where = fmt::format("{}:{}", source, number),
                       .problem = fmt::format("has more than {} MiB in one line", longest_line_bytes >> 20U),
                       .why = "no file of spectra has such lines",

@@ -14,8 +14,8 @@ inline constexpr std::size_t most_jcamp_points = 10'000'000;  ///< of all spectr
 /// 128 MiB, of JSON, JCAMP-DX and CGATS: in memory their parts take up to twelve times as much.
 inline constexpr std::size_t largest_structured_bytes = std::size_t{1} << 27U;
 
-/// Throws InputError where the line is longer than that.
-void refuse_long_line(std::string_view line, std::size_t number, const std::string& source);
+/// Throws InputError where line `number` of `source` has more `bytes` than that.
+void refuse_long_line(std::size_t bytes, std::size_t number, const std::string& source);
 
 /// Throws InputError where the text, of one of the three forms above, is larger than that.
 void refuse_large_text(std::string_view text, const std::string& source);

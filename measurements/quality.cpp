@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <iterator>
 
@@ -13,13 +12,10 @@
 namespace skinfit {
 
 std::vector<Finding> quality_findings(std::span<const Spectrum> spectra, const ModelledRange& modelled) {
-    constexpr std::array checks = {
-        unit_conflict,   outside_0_1, offset,     dark_everywhere, missing_values,       spikes,
-        collapse_at_end, falling_end, saturation, no_hemoglobin,   noise_against_repeats};
     std::vector<Finding> findings;
     for (const Spectrum& spectrum : spectra) {
-        for (const auto check : checks) {
-            if (std::optional<Finding> finding = check(spectrum)) findings.push_back(std::move(*finding));
+        for (const SpectrumCheck& each : spectrum_checks) {
+            if (std::optional<Finding> finding = each.check(spectrum)) findings.push_back(std::move(*finding));
         }
         if (std::optional<Finding> finding = outside_tables(spectrum, modelled)) {
             findings.push_back(std::move(*finding));

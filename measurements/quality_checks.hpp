@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -13,16 +14,6 @@
 /// spectra of [VRHEL94], [COOKSEY17], [XIAO16], [LU25] and [BIERMAN11] that look sound: 2427 spectra. A spectrum whose
 /// quantity is not stated is checked as a reflectance.
 namespace skinfit {
-
-/// The names of all checks, as their findings bear them.
-inline constexpr std::array<std::string_view, 14> quality_check_names = {
-    "unit_conflict",  "outside_0_1",
-    "offset",         "dark_everywhere",
-    "missing_values", "outside_tables",
-    "spikes",         "collapse_at_end",
-    "falling_end",    "saturation",
-    "no_hemoglobin",  "noise_against_repeats",
-    "duplicate",      "reflectance_plus_transmittance"};
 
 /// `unit_conflict`: the unit is fraction, and half of the values or more exceed `largest_fraction`; or it is percent,
 /// and no value exceeds `largest_fraction` percent.
@@ -82,5 +73,33 @@ inline constexpr std::array<std::string_view, 14> quality_check_names = {
 /// than 1.02 somewhere: 1 and twice the noise of two readings, 0.006 each [COOKSEY17]. The specimen is the same where
 /// the names are, but for the words reflectance and transmittance.
 [[nodiscard]] std::vector<Finding> reflectance_plus_transmittance(std::span<const Spectrum> spectra);
+
+/// A check of one spectrum that needs nothing else, with the name that its findings bear.
+struct SpectrumCheck {
+    std::string_view name;
+    std::optional<Finding> (*check)(const Spectrum& spectrum);
+};
+
+/// All of them, in the order of their findings.
+inline constexpr std::array<SpectrumCheck, 11> spectrum_checks = {{{"unit_conflict", unit_conflict},
+                                                                   {"outside_0_1", outside_0_1},
+                                                                   {"offset", offset},
+                                                                   {"dark_everywhere", dark_everywhere},
+                                                                   {"missing_values", missing_values},
+                                                                   {"spikes", spikes},
+                                                                   {"collapse_at_end", collapse_at_end},
+                                                                   {"falling_end", falling_end},
+                                                                   {"saturation", saturation},
+                                                                   {"no_haemoglobin", no_haemoglobin},
+                                                                   {"noise_against_repeats", noise_against_repeats}}};
+
+/// The names of all checks, as their findings bear them.
+inline constexpr std::array<std::string_view, spectrum_checks.size() + 3> quality_check_names = [] {
+    std::array<std::string_view, spectrum_checks.size() + 3> names{};
+    auto next = std::ranges::transform(spectrum_checks, names.begin(), &SpectrumCheck::name).out;
+    for (const std::string_view name : {"outside_tables", "duplicate", "reflectance_plus_transmittance"})
+        *next++ = name;
+    return names;
+}();
 
 }  // namespace skinfit

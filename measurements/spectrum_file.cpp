@@ -74,16 +74,14 @@ void refuse_long_first_line(const std::filesystem::path& path) {
     if (!std::filesystem::is_regular_file(path, ignored)) return;
     std::ifstream stream(path, std::ios::binary);
     std::array<char, std::size_t{1} << 16U> block{};
-    for (std::size_t size = 0; size <= longest_line_bytes; size += block.size()) {
+    std::size_t size = 0;
+    for (; size <= longest_line_bytes; size += block.size()) {
         stream.read(block.data(), block.size());
         const std::string_view text(block.data(), static_cast<std::size_t>(stream.gcount()));
         const bool maybe_json = size == 0 && (trimmed(text).starts_with('{') || trimmed(text).starts_with('['));
         if (!stream || maybe_json || text.find_first_of("\r\n") != std::string_view::npos) return;
     }
-    throw InputError({.where = path.string() + ":1",
-                      .problem = fmt::format("has more than {} MiB in one line", longest_line_bytes >> 20U),
-                      .why = "no file of spectra has such lines",
-                      .remedy = "check that this is a file of spectra"});
+    refuse_long_line(size, 1, path.string());
 }
 
 }  // namespace

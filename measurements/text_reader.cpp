@@ -25,17 +25,12 @@ namespace {
                       .remedy = "choose one with --column, by its name or its number"});
 }
 
-/// How messages name one value of the first spectrum.
-struct Place {
-    std::string where;
-    std::string sigma;  ///< the name of its uncertainty
-};
-
-/// Lines are looked up in the text rather than kept with every value: only messages need them.
-Place place_of(const SpectrumFile& file, std::string_view text, const ReadOptions& options, double wavelength_nm) {
+/// Of a value of the first spectrum. Lines are looked up in the text rather than kept with every value: only messages
+/// need them.
+ValuePlace place_of(const SpectrumFile& file, std::string_view text, const ReadOptions& options, double wavelength_nm) {
     if (file.format != "columns") {
         const std::size_t line = file.spectra.front().line;
-        return {.where = line > 0 ? fmt::format("{}:{}", file.source, line) : file.source, .sigma = "sigma"};
+        return {.where = line > 0 ? fmt::format("{}:{}", file.source, line) : file.source};
     }
     const Columns columns = split_columns(text, file.source);
     const std::vector<double> wavelengths = read_numbers(columns, std::array<std::size_t, 1>{0}).front();
@@ -49,33 +44,40 @@ Place place_of(const SpectrumFile& file, std::string_view text, const ReadOption
 /// Refuses values that no fit can use.
 void check_values(const SpectrumFile& file, std::string_view text, const ReadOptions& options) {
     const Spectrum& spectrum = file.spectra.front();
+    const std::function<ValuePlace(std::size_t)> place = [&](std::size_t i) {
+        return place_of(file, text, options, spectrum.wavelength_nm[i]);
+    };
     for (std::size_t i = 0; i < spectrum.value.size(); ++i) {
         const double nm = spectrum.wavelength_nm[i];
         const double value = spectrum.value[i];
         if (value < 0) {
-            throw InputError({.where = place_of(file, text, options, nm).where,
+            throw InputError({.where = place(i).where,
                               .problem = fmt::format("the value {} at {} nm is negative", value, nm),
                               .why = "no fraction of light is; it may be a dark-current offset",
                               .remedy = "correct the offset or delete the line"});
         }
         if (value > largest_fraction) {
             throw InputError(
-                {.where = place_of(file, text, options, nm).where,
+                {.where = place(i).where,
                  .problem = fmt::format("the value {} at {} nm exceeds {}", value, nm, largest_fraction),
                  .why = fmt::format("as a fraction; the unit was taken as {}", spectrum.unit_rule),
                  .remedy = "correct the value, or state the unit with a line '# unit: percent' or '# unit: fraction'"});
         }
-        if (!spectrum.sigma.empty() && !(spectrum.sigma[i] > 0)) {
-            const Place place = place_of(file, text, options, nm);
-            throw InputError({.where = place.where,
-                              .problem = fmt::format("{} is {} at {} nm", place.sigma, spectrum.sigma[i], nm),
-                              .why = "a standard uncertainty is above 0",
-                              .remedy = "correct it or delete its column"});
-        }
+        refuse_sigma(spectrum, i, place);
     }
 }
 
 }  // namespace
+
+void refuse_sigma(const Spectrum& spectrum, std::size_t i, const std::function<ValuePlace(std::size_t)>& place_of) {
+    if (spectrum.sigma.empty() || spectrum.sigma[i] > 0.0) return;
+    const ValuePlace place = place_of(i);
+    throw InputError(
+        {.where = place.where,
+         .problem = fmt::format("{} is {} at {} nm", place.sigma, spectrum.sigma[i], spectrum.wavelength_nm[i]),
+         .why = "a standard uncertainty is above 0",
+         .remedy = "correct it or delete its column"});
+}
 
 Spectrum parse_spectrum(std::string_view text, const std::string& source, const ReadOptions& options,
                         const std::optional<std::string>& reader) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +19,16 @@ struct ReadOptions {
     std::optional<Unit> unit{};           ///< overrides what the file says
     RegionChoice region{};                ///< the pixels of a cube
 };
+
+/// How messages name one value of a spectrum.
+struct ValuePlace {
+    std::string where;
+    std::string sigma = "sigma";  ///< the name of its uncertainty
+};
+
+/// Throws InputError where the uncertainty of reading `i`, if the spectrum has them, is not above 0; `place_of` tells
+/// where reading `i` stands.
+void refuse_sigma(const Spectrum& spectrum, std::size_t i, const std::function<ValuePlace(std::size_t)>& place_of);
 
 /// Reads the one spectrum of a file, or the one that `options.column` names, in any form that `read_spectra` knows;
 /// `reader` overrides the recognition of the form.

@@ -8,6 +8,7 @@
 
 #include "core/input_error.hpp"
 #include "model/constants.hpp"
+#include "model/scattering.hpp"
 #include "model/viewing_cone.hpp"
 
 namespace skinfit {
@@ -30,8 +31,9 @@ std::vector<StateSpace> state_spaces(const Sample& sample, Eigen::Index polynomi
         spaces[s].size = 0;
         for (int layer = 0; layer < sample.layers; ++layer) {
             for (const Heading heading : {Heading::down, Heading::up}) {
-                const bool asks = remembers_bounce ? s == 0 : heading == Heading::down;
-                const bool rayleigh = in_dermis(layer) && asks;
+                const bool bounced = s > 0;
+                const bool rayleigh =
+                    in_dermis(layer) && asks_for_rayleigh(sample.edition, heading == Heading::down, bounced);
                 const Eigen::Index size = !in_dermis(layer) ? polynomials : rayleigh ? 1 + rayleigh_terms : 1;
                 spaces[s].blocks[static_cast<std::size_t>(layer)][static_cast<std::size_t>(heading)] = {
                     .first = spaces[s].size, .size = size, .rayleigh = rayleigh};

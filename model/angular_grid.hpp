@@ -15,6 +15,10 @@
 /// depends on the sample's edition, layers, base and refractive indices alone. docs/model.md, section "Angular solver".
 namespace skinfit {
 
+/// How far a share of the angular solver may be from the converged one, unless another accuracy is asked for; what was
+/// measured: docs/model.md.
+inline constexpr double solver_accuracy = 1e-4;
+
 /// How finely directions are resolved.
 struct AngularResolution {
     int panels;          ///< of stratum corneum and epidermis, of equal width in polar angle; cubic polynomials on each

@@ -17,9 +17,9 @@ namespace skinfit {
 
 /// How the sample is lit and how finely directions are resolved.
 struct AngularSolverOptions {
-    double incidence_rad = 0.0;                                            ///< 0 to below pi/2
-    std::optional<double> viewing_cone_rad = {};                           ///< as `Experiment` has it
-    AngularResolution resolution = AngularResolution::for_accuracy(1e-4);  ///< of directions
+    double incidence_rad = 0.0;                                                       ///< 0 to below pi/2
+    std::optional<double> viewing_cone_rad = {};                                      ///< as `Experiment` has it
+    AngularResolution resolution = AngularResolution::for_accuracy(solver_accuracy);  ///< of directions
 };
 
 /// A share of the incident light and its derivatives.

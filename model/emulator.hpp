@@ -29,6 +29,9 @@ struct EmulatorDomain {
     std::vector<ParameterRange> ranges;  ///< of parameters that absorb without steering
 };
 
+/// Throws InputError where `parameter` steers: no emulator stands for a range of it.
+void refuse_to_emulate(Parameter parameter);
+
 /// The share of the light that leaves, and how it answers to absorption.
 struct EmulatedShare {
     double share = 0.0;

@@ -235,17 +235,21 @@ void certify(const Members& members, Grouped& grouped) {
 
 void check(const EmulatorDomain& domain) {
     for (const ParameterRange& range : domain.ranges) {
-        const ParameterInfo& row = info(range.parameter);
         assert(range.lower <= range.upper);
-        if (!row.steers) continue;
-        throw InputError({.where = fmt::format("free parameter {}", row.name),
-                          .problem = "cannot be adjusted by engine emulator",
-                          .why = "it changes where light goes, and an emulator stands for one geometry",
-                          .remedy = fmt::format("set engine=solver, or fix it (--fix {})", row.name)});
+        refuse_to_emulate(range.parameter);
     }
 }
 
 }  // namespace
+
+void refuse_to_emulate(Parameter parameter) {
+    const ParameterInfo& row = info(parameter);
+    if (!row.steers) return;
+    throw InputError({.where = fmt::format("free parameter {}", row.name),
+                      .problem = "cannot be adjusted by engine emulator",
+                      .why = "it changes where light goes, and an emulator stands for one geometry",
+                      .remedy = fmt::format("set engine=solver, or fix it (--fix {})", row.name)});
+}
 
 Emulator Emulator::build(const EmulatorDomain& domain, const std::stop_token& stop) {
     check(domain);

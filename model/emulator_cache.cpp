@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <xxhash.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <span>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "core/file.hpp"
+#include "model/sample_key.hpp"
 
 // Layout of the data: Header, groups, coefficients, counts.
 namespace skinfit {
@@ -40,21 +42,15 @@ std::uint64_t program_fingerprint() {
 }  // namespace
 
 std::string emulator_key(const EmulatorDomain& domain) {
-    const Sample& sample = domain.sample;
-    const bool has_index = sample.base.kind == Base::Kind::index;
-    // Hexadecimal floating point: exact.
-    std::string key =
-        fmt::format("program {:x}; edition {}; layers {}; base {} {:a}; incidence {:a}; side {}; wavelengths {:a};",
-                    program_fingerprint(), sample.edition == Edition::printed ? "printed" : "revised", sample.layers,
-                    static_cast<int>(sample.base.kind), has_index ? sample.base.refractive_index : 0.0,
-                    domain.incidence_rad, static_cast<int>(domain.side), fmt::join(domain.wavelengths_nm, " "));
-    ParameterValues values{.skin = sample.skin, .instrument = {}};
+    const auto is_fixed = [&](const ParameterInfo& row) {
+        return std::ranges::find(domain.ranges, row.parameter, &ParameterRange::parameter) == domain.ranges.end();
+    };
+    std::string key = fmt::format("program {:x}; side {}; wavelengths {:a}; {};", program_fingerprint(),
+                                  static_cast<int>(domain.side), fmt::join(domain.wavelengths_nm, " "),
+                                  sample_key(domain.sample, domain.incidence_rad, is_fixed));
     for (const ParameterRange& range : domain.ranges) {
         key += fmt::format(" {} {:a} to {:a}", info(range.parameter).name, range.lower, range.upper);
-        value_of(values, range.parameter) = 0.0;  // without effect
     }
-    values.skin.fold_aspect_ratio = 0.0;  // without effect on shares
-    for (const ParameterInfo& row : parameter_table()) key += fmt::format(" {:a}", value_of(values, row.parameter));
     return key;
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/input_error.hpp"
 #include "model/ensemble_file.hpp"
+#include "model/sample_key.hpp"
 
 namespace skinfit {
 namespace {
@@ -40,17 +41,10 @@ void require_memory(std::size_t wavelengths, std::uint64_t rays) {
 }  // namespace
 
 std::string ensemble_key(const Sample& sample, const std::vector<double>& wavelengths_nm, const WalkOptions& options) {
-    const Skin& skin = sample.skin;
-    const bool has_index = sample.base.kind == Base::Kind::index;
-    // Hexadecimal floating point: exact.
-    return fmt::format(
-        "walk {:x}; edition {}; layers {}; base {} {:a}; incidence {:a}; seed {}; rays {}; "
-        "refractive indices {:a}; fibre {:a}; radius {:a}; dermis {:a} {:a}; wavelengths {:a}",
-        walk_fingerprint(sample, wavelengths_nm, options), sample.edition == Edition::printed ? "printed" : "revised",
-        sample.layers, static_cast<int>(sample.base.kind), has_index ? sample.base.refractive_index : 0.0,
-        options.incidence_rad, options.seed, options.rays, fmt::join(refractive_index(skin), " "),
-        skin.fibre_refractive_index, skin.fibril_radius_nm, skin.papillary_dermis_thickness_cm,
-        skin.reticular_dermis_thickness_cm, fmt::join(wavelengths_nm, " "));
+    return fmt::format("walk {:x}; seed {}; rays {}; {}; wavelengths {:a}",
+                       walk_fingerprint(sample, wavelengths_nm, options), options.seed, options.rays,
+                       sample_key(sample, options.incidence_rad, &ParameterInfo::steers),
+                       fmt::join(wavelengths_nm, " "));
 }
 
 PathEnsemble cached_ensemble(const Sample& sample, const std::vector<double>& wavelengths_nm,

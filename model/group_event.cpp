@@ -212,7 +212,7 @@ MetInterface met_interface(const LayerStack& stack, const RayState& from, bool u
 Group group_of(const LayerStack& stack, const RayState& state) {
     return {.stack = &stack,
             .state = state,
-            .asks = stack.edition == Edition::revised ? !state.upward : !state.bounced,
+            .asks = asks_for_rayleigh(stack.edition, !state.upward, state.bounced),
             .ahead = met_interface(stack, state, state.upward),
             .behind = met_interface(stack, state, !state.upward)};
 }

@@ -121,6 +121,10 @@ const ParameterInfo& info(Parameter parameter) {
     return row(parameter).info;
 }
 
+bool belongs_to_instrument(Parameter parameter) {
+    return std::holds_alternative<double Instrument::*>(row(parameter).field);
+}
+
 std::optional<Parameter> find_parameter(std::string_view name) {
     const auto found = std::ranges::find(rows, name, [](const Row& row) { return row.info.name; });
     if (found == rows.end()) return std::nullopt;

@@ -75,6 +75,9 @@ struct ParameterInfo {
 /// The row of one parameter.
 [[nodiscard]] const ParameterInfo& info(Parameter parameter);
 
+/// Whether the parameter is a field of `Instrument` rather than of `Skin`.
+[[nodiscard]] bool belongs_to_instrument(Parameter parameter);
+
 /// The parameter of that name, if there is one.
 [[nodiscard]] std::optional<Parameter> find_parameter(std::string_view name);
 

@@ -113,7 +113,7 @@ private:
     /// The dermis: the Rayleigh test where the edition asks for one, else diffuse. Returns false where the ray has
     /// turned back, which ends the run without an absorption test. (open in [KA04])
     bool scatter_in_dermis(std::uint32_t event, const FourUniforms& xi) {
-        const bool asks = stack_->edition == Edition::revised ? step_ == down : !bounced_;
+        const bool asks = asks_for_rayleigh(stack_->edition, step_ == down, bounced_);
         // [KA04, Eq. 3]
         const double share = asks ? 1.0 - decay(stack_->rayleigh_depth[static_cast<std::size_t>(layer_)] / cosine_) : 0;
         if (xi[0] >= share) {

@@ -116,6 +116,12 @@ private:
     Edition edition_;
 };
 
+/// Whether a run through a dermal layer begins with the test for Rayleigh scattering: of a ray that travels downward,
+/// and, as printed, of one that no interface of the dermis has reflected yet. (`model/REFERENCES.md`)
+[[nodiscard]] constexpr bool asks_for_rayleigh(Edition edition, bool downward, bool bounced) {
+    return edition == Edition::revised ? downward : !bounced;
+}
+
 /// The Rayleigh optical depth of a dermal layer at normal passage, R cosine in [KA04, Eq. 3]; dimensionless.
 struct RayleighLayer {
     double wavelength_nm;

@@ -60,8 +60,9 @@ struct Reading {
                                                  const PathEnsemble& ensemble);
 
 /// The angular solver of the experiment's sample, incidence and viewing cone.
-[[nodiscard]] AngularSolver angular_solver(const Experiment& experiment,
-                                           const AngularResolution& resolution = AngularResolution::for_accuracy(1e-4));
+[[nodiscard]] AngularSolver angular_solver(
+    const Experiment& experiment,
+    const AngularResolution& resolution = AngularResolution::for_accuracy(solver_accuracy));
 
 /// The readings by the angular solver: without noise, so that all standard errors are zero.
 [[nodiscard]] std::vector<Reading> read_by_solver(const Experiment& experiment,

@@ -68,8 +68,7 @@ void write_map(const Ledger& ledger, const Study& study, const StudyCube& cube, 
     const SpectralCube opened(cube.path, cube.unit);
     const PixelFitter fitter(configuration_of(study), common_spectrum(opened), cache);
     const std::filesystem::path folder = study.output / "maps";
-    std::error_code ignored;  // the writer complains where there is no such folder
-    std::filesystem::create_directories(folder, ignored);
+    make_folder(folder, folder.string());
     const std::filesystem::path map = folder / map_name(cube.source);
     EnviWriter writer(map, map_output(fitter.problem(), opened, configuration_hash_of(study)));
     for_each_tile(ledger, cube.source, [&](const FittedTile& tile) { writer.append(tile.bytes); });

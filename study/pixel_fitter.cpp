@@ -12,6 +12,7 @@
 #include "fit/diagnosis.hpp"
 #include "fit/inspection.hpp"
 #include "fit/models.hpp"
+#include "measurements/quality_checks.hpp"
 
 namespace skinfit {
 namespace {
@@ -56,6 +57,13 @@ LeanFitter fitter_of(const FitProblem& problem, const EnsembleCache& cache) {
     const std::vector<ForwardModel> models = make_models(problem, Engine::emulator, cache);
     return {problem, std::get<Emulator>(models.front()), pixel_options};
 }
+
+/// Every check of a spectrum by itself can reject a pixel under its own name, but for that of repeats: pixels have
+/// none.
+static_assert(std::ranges::all_of(spectrum_checks, [](const SpectrumCheck& each) {
+    return (std::ranges::find(pixel_reason_names, each.name) == pixel_reason_names.end()) ==
+           (each.check == noise_against_repeats);
+}));
 
 PixelReason reason_named(const std::string& finding) {
     const auto* const found = std::ranges::find(pixel_reason_names, finding);

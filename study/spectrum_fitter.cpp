@@ -11,6 +11,7 @@
 #include "fit/inspection.hpp"
 #include "fit/named_instrument.hpp"
 #include "fit/report.hpp"
+#include "measurements/text_reader.hpp"
 
 namespace skinfit {
 namespace {
@@ -18,11 +19,7 @@ namespace {
 /// The readers of whole files leave uncertainties unchecked.
 void check_sigma(const Spectrum& spectrum) {
     for (std::size_t i = 0; i < spectrum.sigma.size(); ++i) {
-        if (spectrum.sigma[i] > 0.0) continue;
-        throw InputError({.where = spectrum.source,
-                          .problem = fmt::format("sigma is {} at {} nm", spectrum.sigma[i], spectrum.wavelength_nm[i]),
-                          .why = "a standard uncertainty is above 0",
-                          .remedy = "correct it or delete its column"});
+        refuse_sigma(spectrum, i, [&](std::size_t) { return ValuePlace{.where = spectrum.source}; });
     }
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 
+#include "core/file.hpp"
 #include "core/hash.hpp"
 #include "core/input_error.hpp"
 #include "core/version.hpp"
@@ -156,14 +157,9 @@ void write_maps(const Study& study, const Ledger& ledger, const StudyRunOptions&
     }
 }
 
-void make_folder(const std::filesystem::path& folder) {
-    std::error_code error;
-    if (!folder.empty()) std::filesystem::create_directories(folder, error);
-    if (!error) return;
-    throw InputError({.where = folder.string(),
-                      .problem = "cannot be made",
-                      .why = error.message(),
-                      .remedy = "name an output folder that can be written"});
+void make_folder_of(const std::filesystem::path& ledger) {
+    const std::filesystem::path folder = ledger.parent_path();
+    if (!folder.empty()) make_folder(folder, folder.string());
 }
 
 /// For those who read the ledger.
@@ -203,7 +199,7 @@ std::string configuration_hash_of(const Study& study) {
 
 StudyRun run_study(const Study& study, const StudyRunOptions& options) {
     check_settings(study);
-    make_folder(options.ledger.parent_path());
+    make_folder_of(options.ledger);
     const LedgerLock lock(options.ledger);
     Ledger ledger(options.ledger, Ledger::Access::write);
     const std::string hash = configuration_hash_of(study);
@@ -243,7 +239,7 @@ StudyRun run_study(const Study& study, const StudyRunOptions& options) {
 
 StudyRun merge_study(const Study& study, const std::vector<std::filesystem::path>& parts,
                      const StudyRunOptions& options) {
-    make_folder(options.ledger.parent_path());
+    make_folder_of(options.ledger);
     const LedgerLock lock(options.ledger);
     Ledger ledger(options.ledger, Ledger::Access::write);
     const std::string hash = configuration_hash_of(study);

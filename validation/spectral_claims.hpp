@@ -3,14 +3,12 @@
 #include <span>
 
 #include "measurements/spectrum.hpp"
+#include "model/angular_grid.hpp"
 #include "validation/curve.hpp"
 #include "validation/finding.hpp"
 
 /// Claims about spectra: pure functions of computed curves. Curves that are compared have the same wavelengths.
 namespace skinfit {
-
-/// How far a value of the angular solver may be from the converged one. (docs/model.md)
-inline constexpr double solver_accuracy = 1e-4;
 
 /// Every curve, two at least, is below the one before it at every wavelength, and somewhere by more than two errors of
 /// the solver. The reason counts the differences that are within these errors.

@@ -173,5 +173,15 @@ TEST_F(FileTest, ReadsFilesThatDoNotKnowTheirSize) {
     EXPECT_TRUE(read_file("/proc/self/status").starts_with("Name:"));
 }
 
+TEST_F(FileTest, MakesAFolderAndThoseAboveItOrSaysWhyNot) {
+    const std::filesystem::path folder = in_folder("above") / "below";
+    make_folder(folder, "--output");
+    make_folder(folder, "--output");
+    EXPECT_TRUE(std::filesystem::is_directory(folder));
+    write_file_atomically(folder / "file", "x");
+    const std::string message = refusal([&] { make_folder(folder / "file", "--output"); });
+    EXPECT_TRUE(message.starts_with("--output: no folder that can be written (")) << message;
+}
+
 }  // namespace
 }  // namespace skinfit

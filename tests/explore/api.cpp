@@ -7,6 +7,7 @@
 #include "explore/configuration_request.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/fit.hpp"
+#include "fit/fit_scale.hpp"
 #include "fit/inspection.hpp"
 #include "fit/report.hpp"
 #include "measurements/text_reader.hpp"
@@ -31,6 +32,7 @@ TEST_F(Asked, VocabularyIsThatOfTheParameterTableAndTheConfiguration) {
         EXPECT_EQ(row["unit"], info.unit);
         EXPECT_EQ(row["lower"].get<double>(), info.lower);
         EXPECT_EQ(row["highest"].get<double>(), info.highest);
+        EXPECT_EQ(row["logarithmic"].get<bool>(), has_logarithmic_scale(info.parameter));
         const auto& groups = found["groups"];
         EXPECT_NE(std::find(groups.begin(), groups.end(), row["group"]), groups.end()) << info.name;
         if (!row["usual"].is_null()) {

@@ -15,6 +15,19 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
+TEST(FitScale, IsLogarithmicWhereItsMiddleIsBelowThatOfTheBounds) {
+    FitProblem problem;
+    for (const ParameterInfo& row : parameter_table()) {
+        problem.free.push_back({.parameter = row.parameter, .start = row.lower, .bounds = {row.lower, row.upper}});
+    }
+    const std::vector<double> middles = from_unit_box(problem, std::vector<double>(problem.free.size(), 0.5));
+    for (const ParameterInfo& row : parameter_table()) {
+        const double middle = row.lower + 0.5 * (row.upper - row.lower);
+        EXPECT_EQ(middles[static_cast<std::size_t>(row.parameter)] < middle, has_logarithmic_scale(row.parameter))
+            << row.name;
+    }
+}
+
 TEST(FitScale, GoesThereAndBackHitsTheBoundsAndHasTheSlopeOfItsInverse) {
     Configuration configuration = quick_configuration();
     configuration.engine = Engine::solver;

@@ -9,19 +9,17 @@ export interface Scale {
 
 const clamp = (position: number) => Math.min(1, Math.max(0, position));
 
-/// Logarithmic where the range spans a decade or more; a range that begins at 0 shows four decades below its top, with 0
-/// at the very end, when the default lies in the lower fifth.
-export function scaleOf({lower, upper, default: usual}: Parameter): Scale {
-    const fromZero = lower === 0 && usual > 0 && usual < upper / 5;
-    const spans = lower > 0 && upper / lower >= 10;
-    if (!fromZero && !spans) {
+/// Logarithmic where fits search on such a scale; a range that begins at 0 shows four decades below its top, with 0 at
+/// the very end.
+export function scaleOf({lower, upper, logarithmic}: Parameter): Scale {
+    if (!logarithmic) {
         return {
             kind: "linear",
             toValue: (position) => lower + position * (upper - lower),
             toPosition: (value) => clamp((value - lower) / (upper - lower)),
         };
     }
-    const bottom = fromZero ? upper * 1e-4 : lower;
+    const bottom = lower === 0 ? upper * 1e-4 : lower;
     return {
         kind: "logarithmic",
         toValue: (position) => (position <= 0 ? lower : bottom * Math.pow(upper / bottom, position)),

@@ -13,6 +13,7 @@ export interface Parameter {
     lower: number;
     upper: number;
     steers: boolean;
+    logarithmic: boolean;
     default: number;
     usual: {lower: number; upper: number; source: string} | null;
 }
