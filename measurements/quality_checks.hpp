@@ -90,7 +90,7 @@ inline constexpr std::array<SpectrumCheck, 11> spectrum_checks = {{{"unit_confli
                                                                    {"collapse_at_end", collapse_at_end},
                                                                    {"falling_end", falling_end},
                                                                    {"saturation", saturation},
-                                                                   {"no_haemoglobin", no_haemoglobin},
+                                                                   {"no_hemoglobin", no_hemoglobin},
                                                                    {"noise_against_repeats", noise_against_repeats}}};
 
 /// The names of all checks, as their findings bear them.
