@@ -23,7 +23,7 @@ extern const std::size_t embedded_file_count;
 
 namespace {
 
-const std::string example = "configs/instruments/ of the source tree has examples";
+const std::string example = "configs/instruments, which comes with skinfit, has examples";
 
 std::span<const EmbeddedFile> files() {
     return {instrument_files::embedded_files, instrument_files::embedded_file_count};
