@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/option_limits.hpp"
 #include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "bench/output.hpp"
@@ -36,36 +37,30 @@ void add_bench_command(CLI::App& app, Session& session) {
     const auto command = std::make_shared<BenchCommand>();
     command->output.format = "text";
     CLI::App* const bench = app.add_subcommand("bench", "measure on this machine what a fit costs, by each engine");
-    bench->add_option("--spectra", command->sizes.spectra, "synthetic, fitted by each engine")
-        ->check(CLI::Range(2, 100'000))
+    whole_number(bench->add_option("--spectra", command->sizes.spectra, "synthetic, fitted by each engine"), 2, 100'000)
         ->capture_default_str();
-    bench->add_option("--solver-spectra", command->sizes.solver_spectra, "of them fitted by the angular solver too")
-        ->check(CLI::Range(1, 100'000))
+    whole_number(bench->add_option("--solver-spectra", command->sizes.solver_spectra,
+                                   "of them fitted by the angular solver too"),
+                 1, 100'000)
         ->capture_default_str();
-    bench
-        ->add_option("--bulk-spectra", command->sizes.bulk_spectra, "fitted in one call; repeats where there are fewer")
-        ->check(CLI::Range(1, 10'000'000))
+    whole_number(bench->add_option("--bulk-spectra", command->sizes.bulk_spectra,
+                                   "fitted in one call; repeats where there are fewer"),
+                 1, 10'000'000)
         ->capture_default_str();
-    bench->add_option("--rays", command->sizes.rays, "per wavelength, of walks")
-        ->check(CLI::Range(3000, 10'000'000))
+    whole_number(bench->add_option("--rays", command->sizes.rays, "per wavelength, of walks"), 3000, 10'000'000)
         ->capture_default_str();
-    bench
-        ->add_option("--brute-force-evaluations", command->sizes.brute_force_evaluations,
-                     "timed of a fit that traces all rays anew each time; the rest is extrapolated")
-        ->check(CLI::Range(1, 10'000))
+    whole_number(bench->add_option("--brute-force-evaluations", command->sizes.brute_force_evaluations,
+                                   "timed of a fit that traces all rays anew each time; the rest is extrapolated"),
+                 1, 10'000)
         ->capture_default_str();
-    bench->add_option("--format", command->output.format, "form of the output")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->capture_default_str();
-    bench->add_option("--out", command->output.out, "write there instead of to the terminal")->type_name("FILE");
+    add_format_option(*bench, command->output.format, {"text", "json"});
+    add_out_option(*bench, command->output.out);
     bench
         ->add_option("--scaling", command->scaling,
                      "instead, plot costs against spectra, wavelengths, rays and free parameters into this folder")
         ->type_name("FOLDER");
-    add_examples(*bench,
-                 {"skinfit bench", "skinfit bench --spectra 20 --format json --out bench.json",
-                  "skinfit bench --scaling scaling"},
-                 "Exit code 0: done; 2: bad input; 3: internal error.");
+    add_examples(*bench, {"skinfit bench", "skinfit bench --spectra 20 --format json --out bench.json",
+                          "skinfit bench --scaling scaling"});
     bench->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 

@@ -2,6 +2,7 @@
 #include "app/commands.hpp"
 #include "app/completion.hpp"
 #include "app/manual.hpp"
+#include "app/option_limits.hpp"
 #include "app/shared_options.hpp"
 #include "fit/configuration_json.hpp"
 #include "model/parameters.hpp"
@@ -26,7 +27,7 @@ void add_completion_command(CLI::App& app, Session& /*session*/) {
     CLI::App* const completion =
         app.add_subcommand("completion", "print a script that lets a shell complete commands, options and names");
     const auto shell = std::make_shared<std::string>();
-    completion->add_option("SHELL", *shell, "the shell")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
+    one_of(completion->add_option("SHELL", *shell, "bash, zsh or fish")->required(), {"bash", "zsh", "fish"});
     add_examples(*completion, {"skinfit completion bash > ~/.local/share/bash-completion/completions/skinfit",
                                "skinfit completion fish > ~/.config/fish/completions/skinfit.fish",
                                "skinfit completion zsh > _skinfit        # in a folder of $fpath"});

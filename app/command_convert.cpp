@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include "app/commands.hpp"
 #include "app/measured_file.hpp"
+#include "app/option_limits.hpp"
 #include "app/progress_line.hpp"
 #include "app/region_options.hpp"
 #include "app/shared_options.hpp"
@@ -62,9 +65,10 @@ void add_convert_command(CLI::App& app, Session& session) {
     CLI::App* const convert = app.add_subcommand("convert", "write the spectra of a file as CSV or JSON of one form");
     convert->add_option("FILE", command->file, "spectra in any form that skinfit reads; - is standard input")
         ->required();
-    convert->add_option("--out", command->out, "write there instead of to the terminal")->type_name("FILE");
-    convert->add_option("--format", command->format, "form of the output; by default that of --out's ending, else csv")
-        ->check(CLI::IsMember({"csv", "json"}));
+    add_out_option(*convert, command->out);
+    one_of(convert->add_option("--format", command->format,
+                               "form of the output; if not given, that of the ending of --out, else csv"),
+           {"csv", "json"});
     convert->add_option("--column", command->columns, "only this spectrum: its name, or its number from 1")
         ->type_name("NAME")
         ->expected(1)
@@ -73,13 +77,13 @@ void add_convert_command(CLI::App& app, Session& session) {
         ->type_name("fraction|percent");
     add_reader_option(*convert, command->reader);
     add_region_options(*convert, command->region);
-    add_examples(
-        *convert,
-        {"skinfit convert measurements/data/ncsu_113.csv --out spectrum.json",
-         "skinfit convert - --unit fraction < measurements/data/ncsu_113.csv"},
-        "Numbers are written so that they read back to the last bit. CSV holds spectra of the same wavelengths and "
-        "the\n"
-        "same description, without their repeats; JSON holds all.");
+    add_examples(*convert,
+                 {"skinfit convert measurements/data/ncsu_113.csv --out spectrum.json",
+                  "skinfit convert - --unit fraction < measurements/data/ncsu_113.csv"},
+                 fmt::format("Numbers are written so that they read back to the last bit. CSV holds spectra of the "
+                             "same wavelengths and the\n"
+                             "same description, without their repeats; JSON holds all.\n\n{}",
+                             exit_codes));
     convert->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 

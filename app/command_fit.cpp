@@ -111,8 +111,8 @@ void check_outputs(const FitCommand& command) {
 void check_samples(const FitCommand& command, const Configuration& configuration) {
     if (command.samples.empty() || configuration.uncertainty == UncertaintyMethod::posterior) return;
     throw InputError({.where = "--samples",
-                      .problem = "there are none",
-                      .why = "only a posterior is sampled",
+                      .problem = "there are no draws to write",
+                      .why = "only --uncertainty posterior draws any",
                       .remedy = "add --uncertainty posterior"});
 }
 
@@ -205,19 +205,23 @@ void add_fit_command(CLI::App& app, Session& session) {
         ->expected(1)
         ->take_all();
     fit->add_option("--uncertainty", command->uncertainty,
-                    "what intervals come from: covariance, profile (right at bounds) or posterior")
+                    "what intervals come from: covariance (quick), profile (right at bounds) or posterior (draws of "
+                    "all parameters)")
         ->type_name("covariance|profile|posterior");
-    fit->add_option("--samples", command->samples, "write the draws of the posterior there, as CSV")->type_name("FILE");
-    fit->add_option("--report", command->report, "write the whole result there as one self-contained HTML page")
+    fit->add_option("--samples", command->samples, "write the draws of the posterior to this file, as CSV")
+        ->type_name("FILE");
+    fit->add_option("--report", command->report, "write the whole result to this file, as one self-contained HTML page")
         ->type_name("FILE");
     fit->add_option("--plot", command->plot,
-                    "draw measured and modelled spectrum with residuals there, as .svg, .png or .pdf")
+                    "draw measured and modelled spectrum and their difference into this file, .svg, .png or .pdf")
         ->type_name("FILE");
-    fit->add_option("--solver", command->solver,
-                    "ceres and slsqp use exact derivatives, bobyqa and sbplx none; crs2 searches everywhere")
+    fit->add_option(
+           "--solver", command->solver,
+           "what looks for the best values, not how the model is computed (--set engine=...): ceres and slsqp by exact "
+           "derivatives, bobyqa and sbplx without, crs2 by searching everywhere")
         ->type_name("ceres|slsqp|bobyqa|sbplx|crs2");
     fit->add_flag("--strict", command->strict, "refuse a spectrum with warnings; `skinfit inspect` shows them");
-    fit->add_flag("--cross-check", command->cross_check, "fit by the other solvers too and compare");
+    fit->add_flag("--cross-check", command->cross_check, "fit by each of the other solvers too, and compare");
     add_shared_options(*fit, command->shared, {"text", "json"});
     add_examples(
         *fit,

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "app/commands.hpp"
+#include "app/option_limits.hpp"
 #include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "core/erase_repeated.hpp"
@@ -64,7 +65,7 @@ Configuration gonio_defaults(const GonioCommand& command) {
 Configuration gonio_configuration(const GonioCommand& command) {
     Configuration configuration = configuration_from(command.shared, gonio_defaults(command));
     const auto take = [&](const char* key, const std::string& text) {
-        if (!text.empty()) configuration = configured_by_assignment(configuration, std::string(key) + "=" + text);
+        if (!text.empty()) configuration = configured_by_word(configuration, key, text, std::string("--") + key);
     };
     take("wavelengths", command.wavelengths);
     take("rays", command.rays);
@@ -176,33 +177,38 @@ int run(const GonioCommand& command, Session& session) {
 
 void add_gonio_command(CLI::App& app, Session& session) {
     const auto command = std::make_shared<GonioCommand>();
-    CLI::App* const gonio = app.add_subcommand("gonio", "compute the BRDF (and BTDF) of a described skin");
-    gonio->add_option("--wavelengths", command->wavelengths,
-                      fmt::format("nm: first:last:step or a list; {}, or {} with --illuminant or --response",
-                                  green_light, visible_band));
-    gonio->add_option("--illuminant", command->illuminant, "weight of the wavelengths; d65_v is D65 times V(lambda)")
-        ->check(CLI::IsMember(names_of(illuminants)))
+    CLI::App* const gonio = app.add_subcommand(
+        "gonio", "compute into which directions a described skin sends light: BRDF, and BTDF through it");
+    add_wavelengths_option(*gonio, command->wavelengths,
+                           fmt::format("; {}, or {} with --illuminant or --response", green_light, visible_band));
+    one_of(gonio->add_option(
+               "--illuminant", command->illuminant,
+               "weight of the wavelengths: all alike, daylight D65, or D65 as the eye weighs it (V(lambda))"),
+           names_of(illuminants))
         ->capture_default_str();
-    gonio->add_option("--response", command->response, "file of wavelength_nm,response; multiplies the illuminant")
+    gonio
+        ->add_option("--response", command->response,
+                     "multiply the illuminant by the response in this file, lines of wavelength_nm,response")
         ->type_name("FILE");
-    gonio->add_option("--rays", command->rays, fmt::format("per wavelength; {}", enough_rays));
-    gonio->add_option("--seed", command->seed, "of the random numbers");
-    gonio->add_option("--polar-step", command->polar_step_deg, "width of the bins of the polar angle, degrees")
-        ->check(CLI::Range(0.5, 90.0))
+    gonio->add_option("--rays", command->rays, fmt::format("per wavelength; {} if not given", enough_rays))
+        ->type_name("N");
+    gonio->add_option("--seed", command->seed, "of the random numbers")->type_name("N");
+    number(gonio->add_option("--polar-step", command->polar_step_deg, "width of the bins of the polar angle"), 0.5,
+           90.0, "DEGREES")
         ->capture_default_str();
-    gonio->add_option("--azimuth-step", command->azimuth_step_deg, "width of the bins of the azimuth, degrees")
-        ->check(CLI::Range(0.5, 180.0))
+    number(gonio->add_option("--azimuth-step", command->azimuth_step_deg, "width of the bins of the azimuth"), 0.5,
+           180.0, "DEGREES")
         ->capture_default_str();
-    gonio->add_option("--part", command->part, "of the reflected light")
-        ->check(CLI::IsMember(names_of(parts)))
+    one_of(gonio->add_option("--part", command->part,
+                             "what of the reflected light: all, what the surface mirrors, what has been inside"),
+           names_of(parts))
         ->capture_default_str();
     gonio->add_flag("--reciprocity", command->reciprocity,
                     "compare both ways between pairs of directions, which the model does not promise to be equal");
     add_shared_options(*gonio, command->shared, {"csv", "json"});
     add_examples(*gonio,
                  {"skinfit gonio --rays 100000", "skinfit gonio --illuminant d65_v --rays 20000 --out brdf.csv",
-                  "skinfit gonio --wavelengths 633 --set incidence_deg=45 --part surface --rays 100000 --format json"},
-                 "Exit code 0: done; 2: bad input; 3: internal error.");
+                  "skinfit gonio --wavelengths 633 --set incidence_deg=45 --part surface --rays 100000 --format json"});
     gonio->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 

@@ -51,14 +51,43 @@ std::string suggestion(std::string_view name, const std::vector<std::string>& na
     return similar ? fmt::format(fmt::runtime(form), *similar) : "";
 }
 
-/// Why the command line cannot be used although all of its words are known.
-std::string reason(const CLI::ParseError& error, const std::string& command) {
-    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) return fmt::format("`{}` needs it", command);
-    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
-        const bool again = std::string_view(error.what()).find("At Most") != std::string_view::npos;
-        return again ? "it is given more than once" : "an option's value is missing";
+/// What is wrong although all words are known. CLI11 begins its own message with the name of the option.
+Complaint misused(const Place& place, const CLI::ParseError& error) {
+    const std::string text = error.what();
+    constexpr std::string_view not_a_flag = "Could not convert: ";  // a value given to an option that takes none
+    const bool has_value = text.starts_with(not_a_flag);
+    const std::string named = has_value ? text.substr(not_a_flag.size()) : text;
+    const std::string option = named.substr(0, named.find_first_of(": "));
+    const std::string see = fmt::format("see `{} --help`", place.words);
+    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+        return {.where = "command line",
+                .problem = fmt::format("{} is missing", option),
+                .why = fmt::format("`{}` needs it", place.words),
+                .remedy = fmt::format("give it, or {}", see)};
     }
-    return "this value is not accepted";
+    if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) {
+        return {.where = "command line",
+                .problem = text.substr(0, text.find('\n')),
+                .why = "the two contradict each other",
+                .remedy = fmt::format("leave one of them out, or {}", see)};
+    }
+    if (has_value) {
+        return {.where = "command line",
+                .problem = fmt::format("{} is given a value", option),
+                .why = "it takes none",
+                .remedy = fmt::format("leave the value out, or {}", see)};
+    }
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+        const bool again = text.find("At Most") != std::string::npos;
+        return {.where = "command line",
+                .problem = fmt::format("{} is given {}", option, again ? "more than once" : "without a value"),
+                .why = "it takes one value",
+                .remedy = fmt::format("give it {}, or {}", again ? "once" : "one", see)};
+    }
+    return {.where = "command line",
+            .problem = text.substr(0, text.find('\n')),
+            .why = "this value is not accepted",
+            .remedy = see};
 }
 
 Complaint unknown_word(const Place& place, const std::string& word) {
@@ -100,11 +129,7 @@ Complaint command_line_complaint(const CLI::App& app, const CLI::ParseError& err
                 .why = fmt::format("`{}` alone does nothing", place.words),
                 .remedy = fmt::format("give one of {}, or see `{} --help`", fmt::join(commands, ", "), place.words)};
     }
-    const std::string text = error.what();
-    return {.where = "command line",
-            .problem = text.substr(0, text.find('\n')),
-            .why = reason(error, place.words),
-            .remedy = fmt::format("see `{} --help`", place.words)};
+    return misused(place, error);
 }
 
 }  // namespace skinfit

@@ -99,16 +99,16 @@ void add_simulate_command(CLI::App& app, Session& session) {
     simulate
         ->add_option(
             "--engine", command->engine,
-            "recorded walks, the analog walk of the paper, the angular solver (no noise) or its emulator (the fastest)")
+            "how the model is computed: by recorded walks of light, the walk of the paper ray by ray, a solver without "
+            "random noise, or its stand-in for one geometry, the emulator")
         ->type_name("paths|walk|solver|emulator");
-    simulate->add_option("--wavelengths", command->wavelengths, "nm: first:last:step as in 400:700:20, or a list");
+    add_wavelengths_option(*simulate, command->wavelengths);
     simulate->add_option("--rays", command->rays, "per wavelength")->type_name("N");
     simulate->add_option("--seed", command->seed, "of the random numbers")->type_name("N");
     add_shared_options(*simulate, command->shared, {"csv", "json"});
     add_examples(*simulate,
                  {"skinfit simulate", "skinfit simulate --engine solver --wavelengths 400:700:5 --out skin.csv",
-                  "skinfit simulate --set melanosome_fraction=0.25 --set oxygen_saturation=0.6 --format json"},
-                 "Exit code 0: done; 2: bad input; 3: internal error.");
+                  "skinfit simulate --set melanosome_fraction=0.25 --set oxygen_saturation=0.6 --format json"});
     simulate->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 

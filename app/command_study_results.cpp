@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/commands.hpp"
+#include "app/option_limits.hpp"
 #include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "app/study_options.hpp"
@@ -27,14 +28,14 @@ struct StudyResultCommand {
 };
 
 int status_it(const StudyResultCommand& command, Session& /*session*/) {
-    const Study study = read_study(command.shared.study);
+    const Study study = study_of(command.shared);
     const StudyCounts counts = counts_of(Ledger(ledger_of(command.shared, study), Ledger::Access::read));
     write_stdout(command.shared.format == "json" ? json_text(status_json(counts)) : status_text(counts));
     return exit_code_of(counts);
 }
 
 int export_it(const StudyResultCommand& command, Session& session) {
-    const Study study = read_study(command.shared.study);
+    const Study study = study_of(command.shared);
     SharedOptions output;
     output.out = command.out;
     std::vector<std::filesystem::path> inputs = {command.shared.study, ledger_of(command.shared, study)};
@@ -51,7 +52,7 @@ int export_it(const StudyResultCommand& command, Session& session) {
 }
 
 int report_it(const StudyResultCommand& command, Session& session) {
-    const Study study = read_study(command.shared.study);
+    const Study study = study_of(command.shared);
     const Ledger ledger(ledger_of(command.shared, study), Ledger::Access::read);
     SharedOptions output;
     output.out = command.out.empty() ? study.output / "report.html" : command.out;
@@ -79,7 +80,7 @@ std::vector<std::size_t> subjects_of(const StudyResultCommand& command) {
 }
 
 int power_it(const StudyResultCommand& command, Session& session) {
-    const Study study = read_study(command.shared.study);
+    const Study study = study_of(command.shared);
     const PowerQuestion question{.quantity = command.quantity,
                                  .subjects = subjects_of(command),
                                  .power = command.power,
@@ -115,7 +116,7 @@ void add_study_export_command(CLI::App& study, Session& session) {
     CLI::App* const export_app =
         add_study_subcommand(study, exported->shared, "export", "write the results as a table or as JSON");
     add_study_formats(*export_app, exported->shared, {"csv", "json"});
-    export_app->add_option("--out", exported->out, "write there instead of to the terminal")->type_name("FILE");
+    add_out_option(*export_app, exported->out);
     add_examples(*export_app, {"skinfit study export configs/study_example.json --out results.csv",
                                "skinfit study export configs/study_example.json --format json"});
     export_app->callback([exported, &session] { session.exit_code = export_it(*exported, session); });
@@ -124,8 +125,9 @@ void add_study_export_command(CLI::App& study, Session& session) {
 void add_study_report_command(CLI::App& study, Session& session) {
     const auto report = std::make_shared<StudyResultCommand>();
     CLI::App* const report_app =
-        add_study_subcommand(study, report->shared, "report", "write a page with tables and plots");
-    report_app->add_option("--out", report->out, "write there instead of to report.html in the output folder")
+        add_study_subcommand(study, report->shared, "report", "write an HTML page with tables and plots");
+    report_app
+        ->add_option("--out", report->out, "write to this file instead of to report.html in the study's output folder")
         ->type_name("FILE");
     add_examples(*report_app, {"skinfit study report configs/study_example.json --out report.html"});
     report_app->callback([report, &session] { session.exit_code = report_it(*report, session); });
@@ -135,17 +137,18 @@ void add_study_power_command(CLI::App& study, Session& session) {
     const auto power = std::make_shared<StudyResultCommand>();
     CLI::App* const power_app =
         add_study_subcommand(study, power->shared, "power", "what difference between two groups such spectra can show");
-    power_app->add_option("--quantity", power->quantity, "a parameter that the fits adjust, or an index")->required();
-    power_app->add_option("--subjects", power->subjects, "numbers of subjects per group")
+    power_app
+        ->add_option("--quantity", power->quantity, "a parameter that the fits adjust, or an index such as erythema")
+        ->type_name("NAME")
+        ->required();
+    power_app->add_option("--subjects", power->subjects, "numbers of subjects per group, 2 at least")
         ->type_name("N,N")
         ->capture_default_str();
-    power_app->add_option("--power", power->power, "probability of finding the difference")
-        ->check(CLI::Range(0.06, 0.9999))
+    number(power_app->add_option("--power", power->power, "probability of finding the difference"), 0.06, 0.9999, "P")
         ->capture_default_str();
-    power_app->add_option("--repeats", power->repeats, "measurements of each subject, averaged")
-        ->check(CLI::Range(1, 1000))
+    whole_number(power_app->add_option("--repeats", power->repeats, "measurements of each subject, averaged"), 1, 1000)
         ->capture_default_str();
-    power_app->add_option("--plot", power->plot, "draw detectable differences there, .svg, .png or .pdf")
+    power_app->add_option("--plot", power->plot, "draw the detectable differences into this file, .svg, .png or .pdf")
         ->type_name("FILE");
     add_study_formats(*power_app, power->shared, {"text", "json"});
     add_examples(*power_app, {"skinfit study power configs/study_example.json --quantity melanosome_fraction "

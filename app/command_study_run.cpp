@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/commands.hpp"
+#include "app/option_limits.hpp"
 #include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "app/study_options.hpp"
@@ -21,7 +22,7 @@ struct StudyRunCommand {
     StudyOptions shared;
     std::string part;
     std::vector<std::string> parts;
-    int jobs = 0;
+    int threads = 0;
     bool no_cache = false;
     bool verbose = false;
 };
@@ -35,14 +36,16 @@ StudyPart part_of(const StudyRunCommand& command) {
         return {.number = *number, .parts = *parts};
     }
     throw InputError({.where = fmt::format("--part {}", command.part),
-                      .problem = "is no share",
+                      .problem = "is no share of a study",
                       .why = "it must be the number of a part, from 1, and how many there are",
                       .remedy = "write it as in --part 2/10"});
 }
 
 /// The ledger of a part must not be that of the whole: the parts would drop each other's spectra.
 void check_part(const StudyRunCommand& command) {
-    if (command.part.empty() || !command.shared.ledger.empty()) return;
+    if (command.part.empty()) return;
+    (void)part_of(command);
+    if (!command.shared.ledger.empty()) return;
     throw InputError(
         {.where = fmt::format("--part {}", command.part),
          .problem = "has no ledger of its own",
@@ -80,7 +83,7 @@ StudyRunOptions options_of(const StudyRunCommand& command, const Study& study, P
     SharedOptions cache;
     cache.no_cache = command.no_cache;
     StudyRunOptions options;
-    options.jobs = command.jobs > 0 ? command.jobs : usable_processors();
+    options.jobs = command.threads > 0 ? command.threads : usable_processors();
     options.cache = cache_from(cache, line);
     if (!command.part.empty()) options.part = part_of(command);
     options.ledger = ledger_of(command.shared, study);
@@ -102,9 +105,21 @@ int finished(const StudyRunCommand& command, const Study& study, const StudyRun&
     return exit_code_of(counts);
 }
 
+/// One file that is missing is a failure among others; where all are, the folder is the wrong one.
+void check_inputs(const Study& study) {
+    std::error_code error;
+    const auto is_missing = [&error](const StudyFile& file) { return !std::filesystem::exists(file.path, error); };
+    if (!study.cubes.empty() || study.files.empty() || !std::ranges::all_of(study.files, is_missing)) return;
+    throw InputError({.where = study.file.string() + ".inputs",
+                      .problem = "none of the files is there",
+                      .why = fmt::format("the first would be {}", study.files.front().path.string()),
+                      .remedy = "correct their names, or name their folder with --data"});
+}
+
 int run_it(const StudyRunCommand& command, Session& session) {
     check_part(command);
-    const Study study = read_study(command.shared.study);
+    const Study study = study_of(command.shared);
+    check_inputs(study);
     ProgressLine line(session, "planning", log_of(command));
     StudyRunOptions options = options_of(command, study, line);
     const std::stop_token stop =
@@ -122,7 +137,7 @@ int run_it(const StudyRunCommand& command, Session& session) {
 }
 
 int merge_it(const StudyRunCommand& command, Session& session) {
-    const Study study = read_study(command.shared.study);
+    const Study study = study_of(command.shared);
     ProgressLine line(session, "merging", log_of(command));
     StudyRunOptions options = options_of(command, study, line);
     options.stop = [] { return false; };
@@ -132,10 +147,11 @@ int merge_it(const StudyRunCommand& command, Session& session) {
 }
 
 void add_run_options(CLI::App& sub, const std::shared_ptr<StudyRunCommand>& command, Session& session) {
-    sub.add_option("--jobs", command->jobs, "threads; as many as the machine has by default")
-        ->check(CLI::Range(1, 1024));
-    sub.add_flag("--no-cache", command->no_cache, "do not keep or use recorded walks and emulators");
-    auto* const quiet = sub.add_flag("--quiet", session.quiet, "print nothing but errors");
+    add_threads_option(sub, command->threads);
+    // The name that --threads had here; it works and is not shown.
+    whole_number(sub.add_option("--jobs", command->threads, "as --threads"), 1, 1024)->group("");
+    add_no_cache_option(sub, command->no_cache);
+    CLI::Option* const quiet = add_quiet_option(sub, session);
     sub.add_flag("--verbose", command->verbose, "say more often how far it is")->excludes(quiet);
 }
 
@@ -162,7 +178,10 @@ void add_study_merge_command(CLI::App& study, Session& session) {
         add_study_subcommand(study, merge->shared, "merge", "bring the ledgers of parts together");
     merge_app->add_option("LEDGER", merge->parts, "ledgers of parts, from `skinfit study run --part`")->required();
     add_run_options(*merge_app, merge, session);
-    add_examples(*merge_app, {"skinfit study merge configs/study_example.json part_1.sqlite"});
+    add_examples(
+        *merge_app, {"skinfit study merge configs/study_example.json part_1.sqlite"},
+        "Exit code 0: every spectrum is fitted; 1: some are suspect, rejected, failed or pending; 2: bad input; "
+        "3: internal error.");
     merge_app->callback([merge, &session] { session.exit_code = merge_it(*merge, session); });
 }
 

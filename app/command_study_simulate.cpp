@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/commands.hpp"
+#include "app/option_limits.hpp"
 #include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "core/file.hpp"
@@ -22,7 +23,7 @@ struct StudySimulateCommand {
 };
 
 Cohort cohort_of(const StudySimulateCommand& command) {
-    const std::string example = "configs/cohort_power.json of the source tree is an example";
+    const std::string example = "configs/cohort_power.json, which comes with skinfit, is an example";
     Json json = parsed_json(read_file(command.cohort), command.cohort, example);
     require_object(json, command.cohort, example);
     if (!command.seed.empty()) {
@@ -65,23 +66,21 @@ int run(const StudySimulateCommand& command, Session& session) {
 
 void add_study_simulate_command(CLI::App& study, Session& session) {
     const auto command = std::make_shared<StudySimulateCommand>();
-    CLI::App* const simulate =
-        study.add_subcommand("simulate", "draw a cohort from stated populations and measure it, to plan a study");
+    CLI::App* const simulate = study.add_subcommand(
+        "simulate", "draw subjects from stated populations and compute their spectra, to plan a study");
     simulate->add_option("COHORT", command->cohort, "JSON file: populations, groups, noise; see docs/studies.md")
         ->required();
     simulate->add_option("--output", command->output, "folder for spectra.csv, manifest.csv, cohort.json, study.json")
         ->type_name("FOLDER")
         ->required();
-    simulate
-        ->add_option("--engine", command->engine,
-                     "of the spectra: solver (no noise of its own), emulator or paths, instead of the cohort's")
-        ->check(CLI::IsMember({"solver", "emulator", "paths"}));
-    simulate->add_option("--seed", command->seed, "of everything drawn, instead of the cohort's");
-    simulate->add_option("--threads", command->shared.threads, "at most so many; the result does not depend on it")
-        ->check(CLI::Range(1, 1024));
-    simulate->add_flag("--no-cache", command->shared.no_cache, "do not keep or use recorded walks and emulators");
-    add_examples(*simulate, {"skinfit study simulate configs/cohort_power.json --output cohort"},
-                 "Exit code 0: done; 2: bad input; 3: internal error.");
+    one_of(simulate->add_option(
+               "--engine", command->engine,
+               "of the spectra: solver (no noise of its own), emulator or paths, instead of the cohort's"),
+           {"solver", "emulator", "paths"});
+    simulate->add_option("--seed", command->seed, "of everything drawn, instead of the cohort's")->type_name("N");
+    add_threads_option(*simulate, command->shared.threads);
+    add_no_cache_option(*simulate, command->shared.no_cache);
+    add_examples(*simulate, {"skinfit study simulate configs/cohort_power.json --output cohort"});
     simulate->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 

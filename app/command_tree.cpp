@@ -3,36 +3,32 @@
 #include <algorithm>
 #include <string_view>
 
+#include "app/option_limits.hpp"
 #include "core/text.hpp"
 
 namespace skinfit {
 namespace {
 
-/// "text" and "json" from the placeholder "text|json", or from what a check of the option adds: "TEXT:{text,json}".
+/// "text" and "json" from the placeholder "text|json".
 std::vector<std::string> choices_in(const std::string& type) {
-    const std::size_t open = type.find('{');
-    const std::size_t close = type.rfind('}');
-    const bool is_checked = open != std::string::npos && close != std::string::npos;
-    if (!is_checked && type.find('|') == std::string::npos) return {};
+    if (type.find('|') == std::string::npos) return {};
     std::vector<std::string> choices;
-    const std::string_view listed =
-        is_checked ? std::string_view(type).substr(open + 1, close - open - 1) : std::string_view(type);
-    for (const std::string_view word : split(listed, is_checked ? ',' : '|')) choices.emplace_back(word);
+    for (const std::string_view word : split(type, '|')) choices.emplace_back(word);
     return choices;
 }
 
 std::string argument_of(const CLI::Option& option) {
     if (option.get_items_expected_max() == 0) return "";
-    const std::string type = option.get_type_name();
-    return type.substr(0, type.find(':'));
+    return option.get_type_name();
 }
 
 OptionWords option_words(const CLI::Option& option) {
+    const std::string limits = limits_of(option);
     OptionWords words{.names = {},
                       .argument = option.get_positional() ? option.get_name(true) : argument_of(option),
                       .choices = choices_in(option.get_type_name()),
                       .default_text = option.get_default_str(),
-                      .meaning = option.get_description(),
+                      .meaning = option.get_description() + (limits.empty() ? "" : " (" + limits + ")"),
                       .required = option.get_required(),
                       .repeats = option.get_items_expected_max() > 1 ||
                                  option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll};
@@ -44,7 +40,10 @@ OptionWords option_words(const CLI::Option& option) {
 CommandWords words_of(const CLI::App& app, const std::string& name) {
     CommandWords words{
         .name = name, .meaning = app.get_description(), .footer = app.get_footer(), .options = {}, .commands = {}};
-    for (const CLI::Option* option : app.get_options()) words.options.push_back(option_words(*option));
+    for (const CLI::Option* option : app.get_options()) {
+        const bool is_shown = !option->get_group().empty();
+        if (is_shown) words.options.push_back(option_words(*option));
+    }
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
         words.commands.push_back(
             words_of(*command, name.empty() ? command->get_name() : name + " " + command->get_name()));

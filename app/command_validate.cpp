@@ -19,7 +19,7 @@ namespace {
 
 struct ValidateCommand {
     std::filesystem::path output = "forward_validation";
-    std::filesystem::path shared = "../shared";
+    std::filesystem::path shared;
     std::string figures;
     std::string format = "text";
     std::string rays;
@@ -105,16 +105,16 @@ void add_validate_command(CLI::App& app, Session& session) {
         ->type_name("FOLDER")
         ->capture_default_str();
     forward->add_option("--figures", command->figures, "only these, as in 3,5")->type_name("N,N");
-    forward->add_option("--shared", command->shared, "folder of measurements that are not shipped")
-        ->type_name("FOLDER")
-        ->capture_default_str();
-    forward->add_option("--format", command->format, "form of the summary on the terminal")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->capture_default_str();
-    forward->add_option("--rays", command->rays, "per wavelength of the goniophotometer, instead of the figure's own");
-    forward->add_option("--seed", command->seed, "of the goniophotometer's random numbers");
-    forward->add_option("--threads", command->threads, "at most so many; the result does not depend on it")
-        ->check(CLI::Range(1, 1024));
+    forward
+        ->add_option("--shared", command->shared,
+                     "folder of measurements that are not shipped; without it the comparison with them is left out")
+        ->type_name("FOLDER");
+    add_format_option(*forward, command->format, {"text", "json"}, "form of the summary on the terminal");
+    forward->add_option("--rays", command->rays, "of the goniophotometer, per wavelength, instead of the figure's own")
+        ->type_name("N");
+    forward->add_option("--seed", command->seed, "of the goniophotometer's random numbers, instead of the figure's own")
+        ->type_name("N");
+    add_threads_option(*forward, command->threads);
     add_examples(*forward,
                  {"skinfit validate forward", "skinfit validate forward --figures 3,4 --output figures",
                   "skinfit validate forward --figures 7 --rays 20000 --format json"},

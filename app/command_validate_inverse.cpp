@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/commands.hpp"
+#include "app/option_limits.hpp"
 #include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "app/terminal.hpp"
@@ -99,17 +100,16 @@ void add_validate_inverse_command(CLI::App& validate, Session& session) {
     inverse->add_option("--output", command->output, "folder for recovery.csv, two pictures and summary.json")
         ->type_name("FOLDER")
         ->capture_default_str();
-    inverse->add_option("--spectra", command->spectra, "how many skins are drawn from the priors")
-        ->check(CLI::Range(1, 1'000'000))
+    whole_number(inverse->add_option("--spectra", command->spectra, "how many skins are drawn from the priors"), 1,
+                 1'000'000)
         ->capture_default_str();
-    inverse->add_option("--seed", command->seed, "of skins, noise, starts and chains");
+    inverse->add_option("--seed", command->seed, "of skins, noise, starts and chains")->type_name("N");
     inverse->add_option("--engine", command->engine, "of the fits; emulator by default")
         ->type_name("emulator|paths|solver");
-    inverse
-        ->add_option(
-            "--simulate-by", command->simulate_by,
-            "engine of the spectra: solver, emulator, walk, or paths, whose walks have another seed than the fits'")
-        ->check(CLI::IsMember({"solver", "emulator", "walk", "paths"}))
+    one_of(inverse->add_option(
+               "--simulate-by", command->simulate_by,
+               "engine of the spectra: solver, emulator, walk, or paths, whose walks have another seed than the fits'"),
+           {"solver", "emulator", "walk", "paths"})
         ->capture_default_str();
     inverse->add_option("--intervals", command->intervals, "kinds of interval to compute")
         ->type_name("KIND,KIND")
@@ -129,12 +129,9 @@ void add_validate_inverse_command(CLI::App& validate, Session& session) {
         ->expected(1)
         ->take_all();
     command->shared.format = "text";
-    inverse->add_option("--format", command->shared.format, "form of the summary on the terminal")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->capture_default_str();
-    inverse->add_option("--threads", command->shared.threads, "at most so many; the result does not depend on it")
-        ->check(CLI::Range(1, 1024));
-    inverse->add_flag("--no-cache", command->shared.no_cache, "do not keep or use recorded walks and emulators");
+    add_format_option(*inverse, command->shared.format, {"text", "json"}, "form of the summary on the terminal");
+    add_threads_option(*inverse, command->shared.threads);
+    add_no_cache_option(*inverse, command->shared.no_cache);
     add_examples(
         *inverse,
         {"skinfit validate inverse --spectra 20 --intervals covariance",

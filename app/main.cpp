@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <exception>
+#include <memory>
 
 #include "app/command_line_error.hpp"
 #include "app/commands.hpp"
+#include "app/option_limits.hpp"
 #include "app/shared_options.hpp"
 #include "app/terminal.hpp"
 #include "core/input_error.hpp"
@@ -29,7 +31,16 @@ void add_quiet(CLI::App& app, Session& session) {
     const std::vector<CLI::App*> commands = app.get_subcommands([](const CLI::App*) { return true; });
     for (CLI::App* command : commands) add_quiet(*command, session);
     if (!commands.empty() || app.get_option_no_throw("--quiet") != nullptr) return;
-    app.add_flag("--quiet", session.quiet, "no progress, notes or warnings on the terminal: only errors");
+    add_quiet_option(app, session);
+}
+
+/// Ends the help of every command that has subcommands.
+void add_footers(CLI::App& app) {
+    for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        if (command->get_subcommands([](const CLI::App*) { return true; }).empty()) continue;
+        command->footer(
+            fmt::format("`skinfit {} COMMAND --help` explains a command and its exit codes.", command->get_name()));
+    }
 }
 
 void add_commands(CLI::App& app, Session& session) {
@@ -49,6 +60,7 @@ void add_commands(CLI::App& app, Session& session) {
     add_completion_command(app, session);
     add_manual_command(app, session);
     add_quiet(app, session);
+    add_footers(app);
 }
 
 /// Opens what the caller has closed of standard input, output and error, so that no file takes their place.
@@ -69,7 +81,10 @@ int run(int argc, char** argv) {
     app.require_subcommand(1);
     app.set_help_flag("-h,--help", "say what there is, and end");
     app.set_version_flag("--version", std::string(version), "say which version this is, and end");
-    app.footer("`skinfit COMMAND --help` explains a command. To begin: skinfit fit measurements/data/ncsu_113.csv");
+    app.formatter(std::make_shared<HelpForm>());
+    app.footer(
+        "`skinfit COMMAND --help` explains a command. To begin: skinfit fit measurements/data/ncsu_113.csv\n\n"
+        "Exit code 0: done, a fit is trustworthy; 1: a result with a warning; 2: bad input; 3: internal error.");
     add_commands(app, session);
     try {
         app.parse(argc, argv);

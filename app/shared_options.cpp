@@ -8,6 +8,7 @@
 #include <cstring>
 #include <system_error>
 
+#include "app/option_limits.hpp"
 #include "app/terminal.hpp"
 #include "core/file.hpp"
 #include "core/input_error.hpp"
@@ -39,13 +40,40 @@ void add_shared_options(CLI::App& command, SharedOptions& options, const std::ve
         ->type_name("KEY=VALUE")
         ->expected(1)
         ->take_all();
-    command.add_option("--format", options.format, "form of the output")
-        ->check(CLI::IsMember(formats))
-        ->capture_default_str();
-    command.add_option("--out", options.out, "write there instead of to the terminal")->type_name("FILE");
-    command.add_option("--threads", options.threads, "at most so many; the result does not depend on it")
-        ->check(CLI::Range(1, 1024));
-    command.add_flag("--no-cache", options.no_cache, "do not keep or use recorded walks and emulators");
+    add_format_option(command, options.format, formats);
+    add_out_option(command, options.out);
+    add_threads_option(command, options.threads);
+    add_no_cache_option(command, options.no_cache);
+}
+
+CLI::Option* add_format_option(CLI::App& command, std::string& format, const std::vector<std::string>& formats,
+                               const std::string& meaning) {
+    return one_of(command.add_option("--format", format, meaning), formats)->capture_default_str();
+}
+
+void add_out_option(CLI::App& command, std::filesystem::path& out) {
+    command.add_option("--out", out, "write to this file instead of to the terminal")->type_name("FILE");
+}
+
+void add_threads_option(CLI::App& command, int& threads) {
+    whole_number(command.add_option("--threads", threads,
+                                    "use at most so many, else all of the machine; the result does not depend on it"),
+                 1, 1024);
+}
+
+void add_no_cache_option(CLI::App& command, bool& no_cache) {
+    command.add_flag("--no-cache", no_cache, "neither use recorded walks and emulators of earlier runs nor keep any");
+}
+
+CLI::Option* add_quiet_option(CLI::App& command, Session& session) {
+    return command.add_flag("--quiet", session.quiet, "no progress, notes or warnings on the terminal: only errors");
+}
+
+void add_wavelengths_option(CLI::App& command, std::string& wavelengths, const std::string& without_it) {
+    command
+        .add_option("--wavelengths", wavelengths,
+                    "in nm: first:last:step as in 400:700:20, or a list as in 450,540,660" + without_it)
+        ->type_name("LIST");
 }
 
 void add_reader_option(CLI::App& command, std::string& reader) {
@@ -86,8 +114,7 @@ Configuration with_free_and_fixed(const Configuration& configuration, const std:
 }
 
 void add_examples(CLI::App& command, const std::vector<std::string>& examples, const std::string& remark) {
-    command.footer(
-        fmt::format("Examples:\n  {}{}{}", fmt::join(examples, "\n  "), remark.empty() ? "" : "\n\n", remark));
+    command.footer(fmt::format("Examples:\n  {}\n\n{}", fmt::join(examples, "\n  "), remark));
 }
 
 EnsembleCache cache_from(const SharedOptions& options, ProgressLine& line) {

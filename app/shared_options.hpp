@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/progress_line.hpp"
+#include "app/session.hpp"
 #include "fit/configuration.hpp"
 #include "fit/settings.hpp"
 #include "model/ensemble_cache.hpp"
@@ -29,6 +30,25 @@ struct SharedOptions {
 /// Adds them to `command`; `formats` are the choices of --format, the first the default.
 void add_shared_options(CLI::App& command, SharedOptions& options, const std::vector<std::string>& formats);
 
+/// Adds --format with its choices, of which the one that `format` already is, is the default.
+CLI::Option* add_format_option(CLI::App& command, std::string& format, const std::vector<std::string>& formats,
+                               const std::string& meaning = "form of the output");
+
+/// Adds --out, a file in place of the terminal.
+void add_out_option(CLI::App& command, std::filesystem::path& out);
+
+/// Adds --threads.
+void add_threads_option(CLI::App& command, int& threads);
+
+/// Adds --no-cache.
+void add_no_cache_option(CLI::App& command, bool& no_cache);
+
+/// Adds --quiet.
+CLI::Option* add_quiet_option(CLI::App& command, Session& session);
+
+/// Adds --wavelengths; `without_it` ends the help.
+void add_wavelengths_option(CLI::App& command, std::string& wavelengths, const std::string& without_it = "");
+
 /// Adds --reader, which overrides the recognition of a file's form.
 void add_reader_option(CLI::App& command, std::string& reader);
 
@@ -42,8 +62,11 @@ void add_reader_option(CLI::App& command, std::string& reader);
                                                 const std::vector<std::string>& free,
                                                 const std::vector<std::string>& fix);
 
-/// Ends the help of `command` with these command lines, and `remark`, if any.
-void add_examples(CLI::App& command, const std::vector<std::string>& examples, const std::string& remark = "");
+/// The exit codes of a command that has no doubtful results.
+inline constexpr const char* exit_codes = "Exit code 0: done; 2: bad input; 3: internal error.";
+
+/// Ends the help of `command` with these command lines, and `remark`, which says the exit codes.
+void add_examples(CLI::App& command, const std::vector<std::string>& examples, const std::string& remark = exit_codes);
 
 /// The cache for recorded walks as the options ask for; its messages go to `line`.
 [[nodiscard]] EnsembleCache cache_from(const SharedOptions& options, ProgressLine& line);

@@ -1,6 +1,7 @@
 #include "app/study_options.hpp"
 
 #include "app/commands.hpp"
+#include "app/shared_options.hpp"
 #include "study/study_run.hpp"
 
 namespace skinfit {
@@ -9,16 +10,22 @@ CLI::App* add_study_subcommand(CLI::App& study, StudyOptions& options, const std
                                const std::string& meaning) {
     CLI::App* const command = study.add_subcommand(name, meaning);
     command->add_option("STUDY", options.study, "JSON file that describes the study")->required();
-    command->add_option("--ledger", options.ledger, "keep the results there instead of in the study's output folder")
+    command->add_option("--data", options.data, "folder in which the inputs are, instead of that of STUDY")
+        ->type_name("FOLDER");
+    command
+        ->add_option("--ledger", options.ledger,
+                     "keep the results in this database instead of in the study's output folder")
         ->type_name("FILE");
     return command;
 }
 
 void add_study_formats(CLI::App& command, StudyOptions& options, const std::vector<std::string>& formats) {
     options.format = formats.front();
-    command.add_option("--format", options.format, "form of the output")
-        ->check(CLI::IsMember(formats))
-        ->capture_default_str();
+    add_format_option(command, options.format, formats);
+}
+
+Study study_of(const StudyOptions& options) {
+    return read_study(options.study, options.data);
 }
 
 std::filesystem::path ledger_of(const StudyOptions& options, const Study& study) {

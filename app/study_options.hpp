@@ -12,16 +12,20 @@ namespace skinfit {
 /// Options that the subcommands of `study` have in common.
 struct StudyOptions {
     std::string study;   ///< JSON file
+    std::string data;    ///< folder of the inputs; empty: that of the study's file
     std::string ledger;  ///< empty: in the study's output folder
     std::string format;
 };
 
-/// Adds the subcommand `name` of `study`, with the study's file and --ledger.
+/// Adds the subcommand `name` of `study`, with the study's file, --data and --ledger.
 CLI::App* add_study_subcommand(CLI::App& study, StudyOptions& options, const std::string& name,
                                const std::string& meaning);
 
 /// Adds --format; the first of `formats` is the default.
 void add_study_formats(CLI::App& command, StudyOptions& options, const std::vector<std::string>& formats);
+
+/// The study that the options mean. Throws InputError as `read_study` does.
+[[nodiscard]] Study study_of(const StudyOptions& options);
 
 /// The ledger that the options mean.
 [[nodiscard]] std::filesystem::path ledger_of(const StudyOptions& options, const Study& study);

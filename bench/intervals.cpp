@@ -42,7 +42,7 @@ BenchIntervals measure_intervals(const BenchWork& work, const Emulator& emulator
         const FitProblem problem = with_free_scale(work, static_cast<Eigen::Index>(k));
         const Objective objective(problem, ForwardModel(emulator));
         const Minimum minimum =
-            distinct_minima(objective, objective, Solver::ceres, work.configuration.starts).front().minimum;
+            distinct_minima(objective, objective, Solver::ceres, work.configuration.starts).minima.front().minimum;
         const Stopwatch profiling;
         const Inference profiled = infer(objective, minimum, UncertaintyMethod::profile, problem.seed);
         profiles.push_back(profiling.elapsed());

@@ -165,7 +165,7 @@ TimedFit fit_as_configured(const FitProblem& problem, const ForwardModel& model,
                            std::uint64_t starts) {
     const Objective objective(problem, model);
     const std::vector<DistinctMinimum> minima =
-        distinct_minima(Objective(problem, cheap), objective, Solver::ceres, starts);
+        distinct_minima(Objective(problem, cheap), objective, Solver::ceres, starts).minima;
     (void)estimate_uncertainty(objective, minima.front().minimum);
     TimedFit fit = of(minima.front().minimum);
     fit.evaluations = 0;

@@ -85,24 +85,24 @@ std::string bench_text(const BenchResult& result) {
     std::string text = fmt::format(
         "{}, {}, two threads\n"
         "31 wavelengths, five free pigments, {} spectra with noise 0.003, {} rays\n\n"
-        "{:<17}{:>9}{:>12}{:>14}{:>8}{:>10}{:>11}{:>7}{:>11}\n",
+        "{:<17}{:>9}{:>12}{:>14}{:>13}{:>8}{:>8}{:>7}{:>11}\n",
         result.machine, result.compiler, result.sizes.spectra, result.sizes.rays, "one fit, median", "spectra",
-        "wall, s", "processor, s", "evals", "off, sd", "worst, sd", "other", "model, MB");
+        "clock, s", "processor, s", "evaluations", "off", "worst", "other", "model, MB");
     for (const BenchRung& each : result.rungs) {
         const auto off = [&](double number) { return each.accuracy ? fmt::format("{:.3f}", number) : "-"; };
         const BenchAccuracy accuracy = each.accuracy.value_or(BenchAccuracy{});
-        text +=
-            fmt::format("{:<17}{:>9}{:>12.3g}{:>14.3g}{:>8.0f}{:>10}{:>11}{:>7}{:>11.1f}\n", each.name, each.spectra,
-                        each.median.wall_s, each.median.cpu_s, each.evaluations, off(accuracy.median_sigmas),
-                        off(accuracy.worst_sigmas), accuracy.other_minima, each.model_mb);
+        text += fmt::format("{:<17}{:>9}{:>12.3g}{:>14.3g}{:>13.0f}{:>8}{:>8}{:>7}{:>11.1f}\n", each.name, each.spectra,
+                            each.median.wall_s, each.median.cpu_s, each.evaluations, off(accuracy.median_sigmas),
+                            off(accuracy.worst_sigmas), accuracy.other_minima, each.model_mb);
     }
     text += fmt::format(
-        "\noff, worst: largest difference of a parameter from the solver's fit; other: fits that ended in another "
-        "minimum\nbrute_force: {} evaluations timed, extrapolated to the {:.0f} that BOBYQA takes over recorded "
+        "\nevaluations: of the model, at one set of values; off, worst: median and largest of how far a parameter is "
+        "from the solver's fit, in sigmas; other: fits that ended at another minimum\nbrute_force: {} evaluations "
+        "timed, extrapolated to the {:.0f} that BOBYQA takes over recorded "
         "paths\n\n",
         result.brute_force_timed, rung(result, "brute_force").evaluations);
     for (const Ratio& ratio : ratios) {
-        text += fmt::format("{:<34}{:>10.0f} by processor time, {:.0f} by the clock\n", ratio.name,
+        text += fmt::format("{:<34}{:>10.0f} times as fast by processor time, {:.0f} by the clock\n", ratio.name,
                             ratio_of(result, ratio, &Duration::cpu_s), ratio_of(result, ratio, &Duration::wall_s));
     }
     for (const BenchThreads& each : result.threads) {

@@ -9,7 +9,7 @@
 set -u
 parts=${SLURM_ARRAY_TASK_MAX:-20}
 skinfit study run "$1" --part "$SLURM_ARRAY_TASK_ID/$parts" --ledger "part_$SLURM_ARRAY_TASK_ID.sqlite" \
-    --jobs "${SLURM_CPUS_PER_TASK:-1}"
+    --threads "${SLURM_CPUS_PER_TASK:-1}"
 status=$?
 # 1: some spectra are suspect, rejected or failed. The share is done.
 [ "$status" -le 1 ]

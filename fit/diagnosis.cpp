@@ -69,16 +69,21 @@ void judge_runs(const FitResult& result, std::vector<std::string>& reasons) {
                           *result.runs_p_value));
 }
 
+/// What a cost is, in `form`; empty where it is chi2 and called so.
+std::string explained(const FitResult& result, const std::string& form) {
+    return has_own_cost(result) ? fmt::format(fmt::runtime(form), cost_words(result)) : "";
+}
+
 void judge_minima(const FitResult& result, std::vector<std::string>& reasons) {
-    for (std::size_t i = 1; i < result.minima.size(); ++i) {
-        const Minimum& other = result.minima[i].minimum;
+    for (std::size_t i = 1; i < result.searches.minima.size(); ++i) {
+        const Minimum& other = result.searches.minima[i].minimum;
         if (!other.converged || other.cost - result.cost > almost_as_well) continue;
         const std::optional<double> difference = largest_difference_in_sigmas(result, other);
         reasons.push_back(fmt::format(
             "SECOND MINIMUM: other values of the parameters, up to {:.2g} sigma away, explain the spectrum "
-            "almost as well (cost {:.6g} against {:.6g}); see the list of minima, and fix or state priors on "
+            "almost as well ({} {:.6g} against {:.6g}{}); see the list of minima, and fix or state priors on "
             "what you know",
-            difference.value_or(0.0), other.cost, result.cost));
+            difference.value_or(0.0), cost_name(result), other.cost, result.cost, explained(result, "; cost: {}")));
     }
 }
 
@@ -137,9 +142,10 @@ void judge_solvers(const FitResult& result, std::vector<std::string>& reasons) {
         const bool as_good = std::abs(gain) <= better_cost;
         if (gain > better_cost || (as_good && difference && *difference > different_sigmas)) {
             reasons.push_back(fmt::format(
-                "SOLVERS DISAGREE: another solver ended at cost {:.6g} instead of {:.6g}, {:.2g} sigma away; set more "
+                "SOLVERS DISAGREE: another solver ended at {} {:.6g} instead of {:.6g}{}, {:.2g} sigma away; set more "
                 "starts, or fix parameters that trade against each other",
-                other.minimum.cost, result.cost, difference.value_or(0.0)));
+                cost_name(result), other.minimum.cost, result.cost, explained(result, " (cost: {})"),
+                difference.value_or(0.0)));
         }
     }
 }

@@ -21,18 +21,18 @@
 namespace skinfit {
 namespace {
 
-/// The minima that one solver finds, and how long it took.
+/// What one solver finds, and how long it took.
 struct Search {
-    std::vector<DistinctMinimum> minima;
+    Searches searches;
     double seconds;
 };
 
 Search search(const Objective& cheap, const Objective& objective, Solver solver, std::uint64_t count,
               const SearchLimits& limits, const FitWatch& watch) {
     const auto begin = std::chrono::steady_clock::now();
-    std::vector<DistinctMinimum> minima = distinct_minima(cheap, objective, solver, count, limits, watch);
+    Searches searches = distinct_minima(cheap, objective, solver, count, limits, watch);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    return {.minima = std::move(minima), .seconds = elapsed.count()};
+    return {.searches = std::move(searches), .seconds = elapsed.count()};
 }
 
 /// Of each other solver, from the configured start. The angular solver takes so long that methods without derivatives
@@ -48,7 +48,7 @@ std::vector<SolverAnswer> other_answers(const Objective& cheap, const Objective&
         watch.tell({.stage = "cross-checking", .done = answers.size(), .total = solver_count - 1});
         Search other = search(cheap, objective, solver, 1, limits, {});
         answers.push_back(
-            {.solver = solver, .minimum = std::move(other.minima.front().minimum), .seconds = other.seconds});
+            {.solver = solver, .minimum = std::move(other.searches.minima.front().minimum), .seconds = other.seconds});
     }
     return answers;
 }
@@ -148,14 +148,14 @@ FitResult fit_spectra(const Configuration& configuration, std::span<const Spectr
     const Objective cheap(problem, cheap_models(problem, models), watch.stop);
     Search found = search(cheap, watched, configuration.solver, configuration.starts, {}, watch);
     watch.tell({.stage = "estimating the uncertainty", .done = 0, .total = 1});
-    AfterSearch after = after_search(cheap, watched, found.minima.front().minimum, configuration, options);
+    const Minimum best = found.searches.minima.front().minimum;
+    AfterSearch after = after_search(cheap, watched, best, configuration, options);
     // A stop ends what heeds it, and must not end what is left to do.
     std::optional<Objective> unwatched;
     if (watch.keeps_partial_result) unwatched.emplace(problem, models);
     const Objective& objective = unwatched ? *unwatched : watched;
-    const Inference inference = after.inference ? *after.inference
-                                                : infer(objective, found.minima.front().minimum,
-                                                        UncertaintyMethod::covariance, configuration.seed);
+    const Inference inference =
+        after.inference ? *after.inference : infer(objective, best, UncertaintyMethod::covariance, configuration.seed);
     const Minimum& minimum = inference.minimum;
 
     FitResult result;
@@ -174,8 +174,10 @@ FitResult fit_spectra(const Configuration& configuration, std::span<const Spectr
     result.priors = priors_in_words(problem);
     result.answer = {.solver = configuration.solver, .minimum = minimum, .seconds = found.seconds};
     result.cross_check = std::move(after.others);
-    if (inference.profile && inference.profile->better_minimum) found.minima.push_back({.minimum = minimum});
-    result.minima = distinct(objective, std::move(found.minima));
+    result.searches = std::move(found.searches);
+    std::vector<DistinctMinimum>& minima = result.searches.minima;
+    if (inference.profile && inference.profile->better_minimum) minima.push_back({.minimum = minimum});
+    minima = distinct(objective, std::move(minima));
     const Diagnosis diagnosis = diagnose(result);
     result.verdict = diagnosis.verdict;
     result.reasons = diagnosis.reasons;

@@ -66,7 +66,7 @@ std::string gnuplot_terminal(const std::filesystem::path& path, const PictureSiz
                            size.width / pixels_per_cm, size.height / pixels_per_cm);
     }
     throw InputError({.where = path.string(),
-                      .problem = fmt::format("unknown suffix '{}' of a plot", suffix),
+                      .problem = fmt::format("unknown suffix \"{}\" of a plot", suffix),
                       .why = "it decides the form of the picture",
                       .remedy = "end the name in .svg, .png or .pdf"});
 }

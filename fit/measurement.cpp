@@ -62,7 +62,7 @@ void check_wavelengths(const Configuration& configuration, const Spectrum& spect
                           .problem = fmt::format("{} nm is not below {} nm", configuration.wavelength_min_nm,
                                                  configuration.wavelength_max_nm),
                           .why = "no wavelength lies between them",
-                          .remedy = "exchange them"});
+                          .remedy = "exchange them, or set both"});
     }
     const WavelengthRange modelled = modelled_wavelengths();
     if (configuration.wavelength_min_nm < modelled.lowest_nm || configuration.wavelength_max_nm > modelled.highest_nm) {

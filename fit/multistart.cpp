@@ -9,8 +9,6 @@
 namespace skinfit {
 namespace {
 
-constexpr std::size_t most_finished = 6;
-
 /// What two minima may differ by and still be one.
 struct Tolerance {
     double sigmas;
@@ -68,8 +66,8 @@ std::vector<DistinctMinimum> distinct(const Objective& objective, std::vector<Di
     return clustered(objective, std::move(minima), {.sigmas = 0.1, .cost = 0.01});
 }
 
-std::vector<DistinctMinimum> distinct_minima(const Objective& cheap, const Objective& objective, Solver solver,
-                                             std::size_t count, const SearchLimits& limits, const FitWatch& watch) {
+Searches distinct_minima(const Objective& cheap, const Objective& objective, Solver solver, std::size_t count,
+                         const SearchLimits& limits, const FitWatch& watch) {
     const FitProblem& problem = objective.problem();
     std::vector<std::vector<double>> from = {starts(problem)};
     for (const std::vector<double>& point : spread_points(count - 1, problem.free.size(), problem.seed)) {
@@ -83,7 +81,9 @@ std::vector<DistinctMinimum> distinct_minima(const Objective& cheap, const Objec
         found.push_back({.minimum = minimise(cheap, solver, start, limits.cheap_evaluations), .searches = 1});
     }
     std::vector<DistinctMinimum> finished = clustered(cheap, std::move(found), rough);
+    Searches searches{.minima = {}, .starts = from.size(), .rough_minima = finished.size()};
     if (finished.size() > most_finished) finished.resize(most_finished);
+    searches.finished = finished.size();
     const Solver finisher = solver == Solver::crs2 ? Solver::bobyqa : solver;
     std::size_t done = 0;
     for (DistinctMinimum& each : finished) {
@@ -92,7 +92,8 @@ std::vector<DistinctMinimum> distinct_minima(const Objective& cheap, const Objec
         each.minimum = minimise(objective, finisher, each.minimum.values, limits.evaluations);
         each.minimum.evaluations += before;
     }
-    return distinct(objective, std::move(finished));
+    searches.minima = distinct(objective, std::move(finished));
+    return searches;
 }
 
 }  // namespace skinfit

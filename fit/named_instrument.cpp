@@ -22,7 +22,7 @@ std::span<const EmbeddedFile> embedded_files();
 
 namespace {
 
-const std::string example = "configs/instruments/ of the source tree has examples";
+const std::string example = "configs/instruments, which comes with skinfit, has examples";
 
 std::string stem(const EmbeddedFile& file) {
     return std::string(file.name.substr(0, file.name.rfind('.')));

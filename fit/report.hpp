@@ -25,6 +25,9 @@ namespace skinfit {
 /// The error of the computed readings, in words.
 [[nodiscard]] std::string model_error_words(const FitResult& result);
 
+/// How many starts, at how many minima their searches ended, and which of these were left out.
+[[nodiscard]] std::string search_words(const FitResult& result);
+
 /// The report for people: verdict first, values rounded to two digits of their standard deviation.
 [[nodiscard]] std::string text_report(const FitResult& result);
 

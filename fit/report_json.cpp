@@ -52,7 +52,7 @@ Json values_json(const FitResult& result, const Minimum& minimum) {
 
 Json minima_json(const FitResult& result) {
     Json minima = Json::array();
-    for (const DistinctMinimum& each : result.minima) {
+    for (const DistinctMinimum& each : result.searches.minima) {
         minima.push_back({{"cost", each.minimum.cost},
                           {"chi2", each.minimum.chi2},
                           {"converged", each.minimum.converged},
@@ -135,6 +135,9 @@ Json json_report(const FitResult& result) {
                  {"correlation", correlation_json(result)},
                  {"uncertainty", uncertainty_json(result)},
                  {"solution", answer_json(result, result.answer, solver_name(result.answer.solver))}};
+    json["searches"] = {{"starts", result.searches.starts},
+                        {"minima", result.searches.rough_minima},
+                        {"finished", result.searches.finished}};
     json["minima"] = minima_json(result);
     if (!result.cross_check.empty()) json["cross_check"] = Json::array();
     for (const SolverAnswer& other : result.cross_check) {

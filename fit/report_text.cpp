@@ -70,7 +70,7 @@ std::string solver_line(const FitResult& result, const SolverAnswer& answer) {
 
 std::string cross_check_text(const FitResult& result) {
     if (result.cross_check.empty()) return "";
-    std::string text = fmt::format("cross-check:\n  {:<8}{:>14}{:>20}{:>14}{:>10}\n", "solver", "cost",
+    std::string text = fmt::format("cross-check:\n  {:<8}{:>14}{:>20}{:>14}{:>10}\n", "solver", cost_name(result),
                                    "largest sigmas off", "evaluations", "seconds");
     text += solver_line(result, result.answer);
     for (const SolverAnswer& other : result.cross_check) text += solver_line(result, other);
@@ -78,13 +78,12 @@ std::string cross_check_text(const FitResult& result) {
 }
 
 std::string minima_text(const FitResult& result) {
-    if (result.minima.empty()) return "";
-    int searches = 0;
-    for (const DistinctMinimum& each : result.minima) searches += each.searches;
-    if (result.minima.size() == 1) return fmt::format("searches: {}, all of which ended at this minimum\n", searches);
-    std::string text = fmt::format("searches: {}, which ended at {} minima:\n  {:<14}{:>10}{:>20}\n", searches,
-                                   result.minima.size(), "cost", "searches", "largest sigmas off");
-    for (const DistinctMinimum& each : result.minima) {
+    const std::vector<DistinctMinimum>& minima = result.searches.minima;
+    if (minima.empty()) return "";
+    if (minima.size() == 1) return fmt::format("searches: {}\n", search_words(result));
+    std::string text = fmt::format("searches: {}:\n  {:<14}{:>10}{:>20}\n", search_words(result), cost_name(result),
+                                   "searches", "largest sigmas off");
+    for (const DistinctMinimum& each : minima) {
         text += fmt::format("  {:<14.8g}{:>10}{:>20}{}\n", each.minimum.cost, each.searches, away(result, each.minimum),
                             each.minimum.converged ? "" : "  NOT CONVERGED");
     }
@@ -100,9 +99,7 @@ std::string cost_text(const FitResult& result) {
                             configuration.discrepancy->length_nm);
     }
     if (has_own_cost(result)) {
-        const Json json = to_json(configuration);
-        text += fmt::format("minimised: cost {:.2f}, with loss {}, weighted ranges: {}, priors: {}\n", result.cost,
-                            json["loss"].get<std::string>(), configuration.weights.size(), result.priors.size());
+        text += fmt::format("minimised: cost {:.2f}, which is {}\n", result.cost, cost_words(result));
     }
     for (const std::string& prior : result.priors) text += fmt::format("prior: {}\n", prior);
     return text;
@@ -193,6 +190,23 @@ std::string model_error_words(const FitResult& result) {
         return fmt::format("Monte Carlo error of the model: {}", monte_carlo_words(result.monte_carlo_error));
     }
     return fmt::format("certified error of the emulator: {:.1e}, against the angular solver", *result.emulator_error);
+}
+
+std::string search_words(const FitResult& result) {
+    const Searches& searches = result.searches;
+    // One at which no search ended was met by a profile.
+    const auto ended_at =
+        std::ranges::count_if(searches.minima, [](const DistinctMinimum& m) { return m.searches > 0; });
+    const std::string minima = fmt::format("{} {}", ended_at, ended_at == 1 ? "minimum" : "minima");
+    std::string text = fmt::format("{} start{}", searches.starts, searches.starts == 1 ? "" : "s");
+    if (searches.finished < searches.rough_minima) {
+        text += fmt::format(", {} minima; the best {} were finished, and ended at {}", searches.rough_minima,
+                            searches.finished, minima);
+    } else {
+        text += fmt::format(", which ended at {}", minima);
+    }
+    if (static_cast<std::size_t>(ended_at) < searches.minima.size()) text += "; profiling met one more";
+    return text;
 }
 
 std::string instrument_words(const Configuration& configuration) {

@@ -25,12 +25,15 @@ std::string inflation_text(const FitResult& result) {
 }
 
 std::string directions_text(const Identifiability& found) {
-    std::string text = "what the spectrum can tell, in sigmas of noise for a prior standard deviation:\n";
+    std::string text =
+        "what the spectrum can tell, in sigmas of noise for a standard deviation of what was known before (priors, "
+        "else "
+        "bounds):\n";
     for (const Direction& direction : found.directions) {
         text += fmt::format("  {:>8.3g}  {}{}\n", direction.singular_value, in_words(direction, found.names),
                             direction.is_weak() ? "  WEAK" : "");
     }
-    text += "prior variance taken away by the spectrum:\n";
+    text += "of the variance known before, the spectrum takes away:\n";
     for (std::size_t i = 0; i < found.names.size(); ++i) {
         text += fmt::format("  {:>6.1f} %  {}\n", 100.0 * found.shrinkage[i], found.names[i]);
     }
@@ -40,9 +43,9 @@ std::string directions_text(const Identifiability& found) {
 std::string posterior_text(const FitResult& result) {
     if (!result.posterior) return "";
     const Posterior& posterior = *result.posterior;
-    std::string text =
-        fmt::format("posterior: {} chains of {} draws, {} divergences, {} evaluations\n", posterior.chains,
-                    posterior.draws.cols() / posterior.chains, posterior.divergences, posterior.evaluations);
+    std::string text = fmt::format(
+        "posterior: {} chains of {} draws, steps that went astray (divergences): {}, {} evaluations\n",
+        posterior.chains, posterior.draws.cols() / posterior.chains, posterior.divergences, posterior.evaluations);
     text += fmt::format("  {:<34}{:>12}{:>12}{:>10}{:>12}{:>12}\n", "", "median", "deviation", "R-hat", "draws: bulk",
                         "tails");
     for (std::size_t i = 0; i < result.free.size(); ++i) {
@@ -50,7 +53,9 @@ std::string posterior_text(const FitResult& result) {
         text += fmt::format("  {:<34}{:>12.4g}{:>12.2g}{:>10.3f}{:>12.0f}{:>12.0f}\n", result.free[i].name, row.median,
                             row.sigma, row.r_hat, row.bulk_effective_size, row.tail_effective_size);
     }
-    return text;
+    return text +
+           "  R-hat: 1 where the chains agree; draws: how many independent ones tell as much of middle (bulk) and "
+           "tails\n";
 }
 
 Json directions_json(const Identifiability& found) {

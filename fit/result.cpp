@@ -1,13 +1,35 @@
 #include "fit/result.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "fit/configuration_json.hpp"
 
 namespace skinfit {
 
 bool has_own_cost(const FitResult& result) {
     return !result.priors.empty() || result.configuration.loss != Loss::squares ||
            !result.configuration.weights.empty();
+}
+
+std::string_view cost_name(const FitResult& result) {
+    return has_own_cost(result) ? "cost" : "chi2";
+}
+
+std::string cost_words(const FitResult& result) {
+    const Configuration& configuration = result.configuration;
+    const std::size_t weights = configuration.weights.size();
+    const std::size_t priors = result.priors.size();
+    std::vector<std::string> parts;
+    if (configuration.loss != Loss::squares) {
+        parts.push_back(fmt::format("with loss {}", to_json(configuration)["loss"].get<std::string>()));
+    }
+    if (weights > 0) parts.push_back(fmt::format("with weights in {} range{}", weights, weights == 1 ? "" : "s"));
+    if (priors > 0) parts.push_back(fmt::format("plus what {} prior{}", priors, priors == 1 ? " adds" : "s add"));
+    return fmt::format("chi2{}{}", parts.empty() ? "" : " ", fmt::join(parts, ", "));
 }
 
 std::optional<double> largest_difference_in_sigmas(const FitResult& result, const Minimum& other) {

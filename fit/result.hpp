@@ -78,8 +78,10 @@ struct FitResult {
     std::optional<Posterior> posterior;  ///< in values, where the intervals are those of the posterior
     std::optional<double> inflation;     ///< sqrt(chi2 / degrees of freedom); none without degrees of freedom
     SolverAnswer answer;
-    std::vector<DistinctMinimum> minima;  ///< of the answer's searches, best first; the first is the answer
-    std::vector<std::string> priors;      ///< in use, in words
+    /// Those of the answer's solver; the first minimum is the answer. One at which no search ended was met by a
+    /// profile.
+    Searches searches;
+    std::vector<std::string> priors;  ///< in use, in words
     /// What a stop has left out, in words; see `FitWatch::keeps_partial_result`.
     std::vector<std::string> unfinished;
     std::vector<SolverAnswer> cross_check;  ///< other solvers on the same objective; empty unless asked for
@@ -92,6 +94,12 @@ struct FitResult {
 
 /// Whether anything but chi2 was minimised.
 [[nodiscard]] bool has_own_cost(const FitResult& result);
+
+/// What was minimised, as a heading: "chi2" where it is nothing else, and "cost", explained in `cost_words`.
+[[nodiscard]] std::string_view cost_name(const FitResult& result);
+
+/// What a cost consists of, as in "chi2 with loss huber and what 1 prior adds".
+[[nodiscard]] std::string cost_words(const FitResult& result);
 
 /// Largest difference of a free parameter between two answers, in standard deviations of the result; none when no
 /// parameter has one.

@@ -106,6 +106,11 @@ void read_base(Configuration& configuration, const Json& value, const std::strin
         configuration.base =
             Base{.kind = Base::Kind::index, .refractive_index = read_number(value, base_index_range, where)};
     } else {
+        if (!value.is_string() || std::ranges::find(names, value.get<std::string>()) == names.end()) {
+            refuse(where, value, "hypodermis, matched or a refractive index is needed",
+                   fmt::format("give one of these, the index from {} to {}, or null", base_index_range.lowest,
+                               base_index_range.highest));
+        }
         configuration.base = Base{.kind = read_name<Base::Kind>(value, names, where)};
     }
 }
@@ -181,11 +186,17 @@ std::vector<Setting> general_settings() {
     return {
         named("edition", "which reading of the model's paper: see model/REFERENCES.md", edition_names,
               &Configuration::edition),
-        named("engine",
-              "paths: recorded walks, smooth; walk: the analog walk, simulation only; solver: without noise; emulator: "
-              "the solver as a polynomial, fastest, geometry fixed",
-              engine_names, &Configuration::engine),
-        named("solver", "what minimises the misfit of a fit", solver_names, &Configuration::solver),
+        named(
+            "engine",
+            "how the model is computed (what fits it is the setting solver): paths: recorded walks, smooth; walk: the "
+            "walk of the paper ray by ray, simulation only; solver: the angular solver, without random noise; "
+            "emulator: that solver as a polynomial, fastest, geometry fixed",
+            engine_names, &Configuration::engine),
+        named("solver",
+              "what looks for the best values of a fit (how the model is computed is the setting engine): ceres and "
+              "slsqp by "
+              "exact derivatives, bobyqa and sbplx without, crs2 by searching everywhere",
+              solver_names, &Configuration::solver),
         named("uncertainty",
               "what the intervals of a fit come from; profile is right at bounds, posterior takes longest",
               uncertainty_names, &Configuration::uncertainty),

@@ -76,7 +76,7 @@ CubeMean mean_spectrum(const SpectralCube& cube, const CubeRegion& region) {
             {.where = cube.files().data.string(),
              .problem = "the region holds no complete pixel",
              .why = fmt::format("pixels chosen: {}; each lacks a number in some good band", left_out),
-             .remedy = "choose another mask or rectangle, or mark the bands without data as bad in 'bbl'"});
+             .remedy = "choose another mask or rectangle, or mark the bands without data as bad in \"bbl\""});
     }
     CubeMean mean{.value = sums.origin, .sigma = {}, .pixels = sums.pixels, .left_out = left_out};
     for (std::size_t i = 0; i < bands; ++i) mean.value[i] += sums.difference[i] / static_cast<double>(sums.pixels);

@@ -100,11 +100,11 @@ bool take(Description& description, const std::string& source, const Note& note)
 void check_bandpass(const std::string& source, const Description& description) {
     if (description.bandpass_shape.has_value() == description.bandpass_width_nm.has_value()) return;
     const bool shaped = description.bandpass_shape.has_value();
-    throw InputError(
-        {.where = source,
-         .problem = fmt::format("gives bandpass_{} alone", shaped ? "shape" : "width_nm"),
-         .why = "a bandpass is a shape and a width",
-         .remedy = fmt::format("add a line '# {}'", shaped ? "bandpass_width_nm: 10" : "bandpass_shape: triangular")});
+    throw InputError({.where = source,
+                      .problem = fmt::format("gives bandpass_{} alone", shaped ? "shape" : "width_nm"),
+                      .why = "a bandpass is a shape and a width",
+                      .remedy = fmt::format("add a line \"# {}\"",
+                                            shaped ? "bandpass_width_nm: 10" : "bandpass_shape: triangular")});
 }
 
 }  // namespace

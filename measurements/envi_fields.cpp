@@ -64,7 +64,7 @@ EnviField EnviFields::get(const std::string& key) const {
     throw InputError({.where = source_,
                       .problem = fmt::format("has no {}", in_quotes(key)),
                       .why = "without it the data cannot be read",
-                      .remedy = fmt::format("add a line '{} = ...'", key)});
+                      .remedy = fmt::format("add a line \"{} = ...\"", key)});
 }
 
 std::uint64_t EnviFields::count(const std::string& key, std::uint64_t lowest, std::uint64_t highest) const {

@@ -155,7 +155,7 @@ std::vector<Spectrum> read_nist_m38597(std::string_view text, const std::string&
     if (columns.preamble.empty() || columns.names.empty() || !names_subjects(columns.preamble.back().text)) {
         throw InputError({.where = source,
                           .problem = "has no line of subjects above the names of its columns",
-                          .why = "the form of NIST M38597 has both, as in ',Subject 1,,,,Subject 2'",
+                          .why = "the form of NIST M38597 has both, as in \",Subject 1,,,,Subject 2\"",
                           .remedy = "choose another --reader, or leave the option out"});
     }
     std::vector<std::size_t> all(columns.width);

@@ -57,10 +57,11 @@ void check_wavelengths(const EnviHeader& header, const std::vector<std::size_t>&
     for (const std::size_t band : bands) {
         const double wavelength = header.wavelength_nm[band];
         if (wavelength >= shortest_nm && wavelength <= longest_nm) continue;
-        throw InputError({.where = header.source,
-                          .problem = fmt::format("the wavelength of band {} is {} nm", band + 1, wavelength),
-                          .why = fmt::format("it must lie between {} and {} nm", shortest_nm, longest_nm),
-                          .remedy = "correct 'wavelength' or 'wavelength units', or mark the band as bad in 'bbl'"});
+        throw InputError(
+            {.where = header.source,
+             .problem = fmt::format("the wavelength of band {} is {} nm", band + 1, wavelength),
+             .why = fmt::format("it must lie between {} and {} nm", shortest_nm, longest_nm),
+             .remedy = "correct \"wavelength\" or \"wavelength units\", or mark the band as bad in \"bbl\""});
     }
     const auto twin =
         std::ranges::adjacent_find(bands, {}, [&](std::size_t band) { return header.wavelength_nm[band]; });
@@ -69,16 +70,16 @@ void check_wavelengths(const EnviHeader& header, const std::vector<std::size_t>&
                       .problem = fmt::format("bands {} and {} are both at {} nm", twin[0] + 1, twin[1] + 1,
                                              header.wavelength_nm[*twin]),
                       .why = "a spectrum has one value at each wavelength",
-                      .remedy = "mark one of them as bad in 'bbl'"});
+                      .remedy = "mark one of them as bad in \"bbl\""});
 }
 
 /// The good bands by ascending wavelength.
 std::vector<std::size_t> choose_bands(const EnviHeader& header) {
     if (header.wavelength_nm.empty()) {
         throw InputError({.where = header.source,
-                          .problem = "has no 'wavelength'",
+                          .problem = "has no \"wavelength\"",
                           .why = "without wavelengths the bands are no spectra",
-                          .remedy = "add 'wavelength = {...}' with one number per band"});
+                          .remedy = "add \"wavelength = {...}\" with one number per band"});
     }
     std::vector<std::size_t> bands;
     for (std::size_t band = 0; band < header.bands; ++band) {
@@ -86,7 +87,7 @@ std::vector<std::size_t> choose_bands(const EnviHeader& header) {
     }
     if (bands.empty()) {
         throw InputError({.where = header.source,
-                          .problem = "'bbl' marks every band as bad",
+                          .problem = "\"bbl\" marks every band as bad",
                           .why = "nothing is left to read",
                           .remedy = "set 1 for the good bands"});
     }
@@ -105,9 +106,9 @@ CubeScale choose_scale(const EnviHeader& header, std::optional<Unit> unit) {
     }
     if (!header.data_type.whole()) return {.one = 1, .rule = "fraction: the header has no scale factor"};
     throw InputError({.where = header.source,
-                      .problem = "has no 'reflectance scale factor'",
+                      .problem = "has no \"reflectance scale factor\"",
                       .why = "its data are whole numbers, and which of them stands for 1 is not known",
-                      .remedy = "add 'reflectance scale factor = 10000', or whichever number stands for 1"});
+                      .remedy = "add \"reflectance scale factor = 10000\", or whichever number stands for 1"});
 }
 
 }  // namespace

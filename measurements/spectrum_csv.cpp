@@ -87,7 +87,7 @@ std::vector<double> common_wavelengths(const std::vector<Spectrum>& spectra, con
     const auto other = std::ranges::find_if(spectra, [&spectra](const Spectrum& spectrum) {
         return spectrum.wavelength_nm != spectra.front().wavelength_nm;
     });
-    refuse(where, fmt::format("'{}' has other wavelengths than '{}'", other->name, spectra.front().name),
+    refuse(where, fmt::format("\"{}\" has other wavelengths than \"{}\"", other->name, spectra.front().name),
            "the lines of a table have one wavelength each");
 }
 
@@ -141,7 +141,7 @@ std::string spectra_csv(const std::vector<Spectrum>& spectra, const std::string&
     const std::string described = description(spectra.front());
     for (const Spectrum& spectrum : spectra) {
         if (description(spectrum) == described) continue;
-        refuse(where, fmt::format("'{}' is described otherwise than '{}'", spectrum.name, spectra.front().name),
+        refuse(where, fmt::format("\"{}\" is described otherwise than \"{}\"", spectrum.name, spectra.front().name),
                "the comments of a table hold for all of its columns");
     }
     const std::vector<double> wavelength_nm = common_wavelengths(spectra, where);

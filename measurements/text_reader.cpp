@@ -61,7 +61,8 @@ void check_values(const SpectrumFile& file, std::string_view text, const ReadOpt
                 {.where = place(i).where,
                  .problem = fmt::format("the value {} at {} nm exceeds {}", value, nm, largest_fraction),
                  .why = fmt::format("as a fraction; the unit was taken as {}", spectrum.unit_rule),
-                 .remedy = "correct the value, or state the unit with a line '# unit: percent' or '# unit: fraction'"});
+                 .remedy =
+                     "correct the value, or state the unit with a line \"# unit: percent\" or \"# unit: fraction\""});
         }
         refuse_sigma(spectrum, i, place);
     }

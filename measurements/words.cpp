@@ -16,7 +16,7 @@ std::string in_quotes(std::string_view text) {
     std::string shown(text.substr(0, size));
     std::ranges::replace_if(
         shown, [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
-    return fmt::format("'{}{}'", shown, size < text.size() ? "..." : "");
+    return fmt::format("\"{}{}\"", shown, size < text.size() ? "..." : "");
 }
 
 bool is_missing(std::string_view cell) {

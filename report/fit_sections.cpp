@@ -29,9 +29,7 @@ Html misfit_list(const FitResult& result) {
     }
     if (has_own_cost(result)) {
         items.emplace_back("minimised",
-                           escaped(fmt::format("cost {:.2f}, with loss {}, weighted ranges: {}", result.cost,
-                                               setting_word(to_json(result.configuration), "loss"),
-                                               result.configuration.weights.size())));
+                           escaped(fmt::format("cost {:.2f}, which is {}", result.cost, cost_words(result))));
     }
     for (const std::string& prior : result.priors) items.emplace_back("prior", escaped(prior));
     items.emplace_back("computation", escaped(model_error_words(result)));

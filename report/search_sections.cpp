@@ -23,13 +23,14 @@ Html minima_table(const FitResult& result) {
     HtmlTable table{
         .caption = "Minima, best first; the first is the answer",
         .columns = {{.name = "minimum", .cells = Cells::text}},
-        .rows = {{escaped("cost")}, {escaped("searches")}, {escaped("largest sigmas off")}, {escaped("end")}}};
+        .rows = {
+            {escaped(cost_name(result))}, {escaped("searches")}, {escaped("largest sigmas off")}, {escaped("end")}}};
     for (const FittedParameter& free : result.free) table.rows.push_back({escaped(free.name)});
-    for (std::size_t i = 0; i < result.minima.size(); ++i) {
-        const Minimum& minimum = result.minima[i].minimum;
+    for (std::size_t i = 0; i < result.searches.minima.size(); ++i) {
+        const Minimum& minimum = result.searches.minima[i].minimum;
         table.columns.push_back({.name = fmt::format("{}", i + 1)});
         std::vector<std::string> cells = {fmt::format("{:.8g}", minimum.cost),
-                                          fmt::format("{}", result.minima[i].searches), away(result, minimum),
+                                          fmt::format("{}", result.searches.minima[i].searches), away(result, minimum),
                                           end_of(minimum)};
         for (const double value : minimum.values) cells.push_back(fmt::format("{:.5g}", value));
         for (std::size_t row = 0; row < cells.size(); ++row) table.rows[row].push_back(escaped(cells[row]));
@@ -48,7 +49,7 @@ std::vector<Html> solver_row(const FitResult& result, const SolverAnswer& answer
 Html cross_check_table(const FitResult& result) {
     HtmlTable table{.caption = "Other solvers on the same problem",
                     .columns = {{.name = "solver", .cells = Cells::text},
-                                {.name = "cost"},
+                                {.name = std::string(cost_name(result))},
                                 {.name = "largest sigmas off"},
                                 {.name = "evaluations"},
                                 {.name = "end", .cells = Cells::text}},
@@ -82,12 +83,8 @@ HtmlSection findings_section(const FitResult& result) {
 }
 
 HtmlSection minima_section(const FitResult& result) {
-    int searches = 0;
-    for (const DistinctMinimum& each : result.minima) searches += each.searches;
-    HtmlSection section{
-        .title = "Searches",
-        .body = paragraph(fmt::format("{} searches from different starts ended at {} distinct {}.", searches,
-                                      result.minima.size(), result.minima.size() == 1 ? "minimum" : "minima"))};
+    HtmlSection section{.title = "Searches", .body = paragraph(fmt::format("{}.", search_words(result)))};
+    if (has_own_cost(result)) section.body += paragraph(fmt::format("cost: {}.", cost_words(result)));
     section.body += minima_table(result);
     if (!result.cross_check.empty()) section.body += cross_check_table(result);
     return section;

@@ -54,9 +54,11 @@ Html kind(const FitResult& result) {
 }
 
 Html directions(const Identifiability& found) {
-    HtmlTable table{.caption = "What the spectrum can tell: directions among the parameters, best known first",
+    HtmlTable table{.caption =
+                        "What the spectrum can tell, best known first: by how many sigmas of noise it changes where "
+                        "parameters change by one standard deviation of what was known before, their priors or bounds",
                     .columns = {{.name = "direction", .cells = Cells::text},
-                                {.name = "sigmas of noise for a prior standard deviation"},
+                                {.name = "sigmas of noise"},
                                 {.name = "remark", .cells = Cells::text}},
                     .rows = {}};
     for (const Direction& direction : found.directions) {
@@ -68,7 +70,7 @@ Html directions(const Identifiability& found) {
 }
 
 Html shrinkage(const Identifiability& found) {
-    HtmlTable table{.caption = "Prior variance taken away by the spectrum",
+    HtmlTable table{.caption = "How much of the variance known before the spectrum takes away",
                     .columns = {{.name = "parameter", .cells = Cells::text}, {.name = "share", .unit = "%"}},
                     .rows = {}};
     for (std::size_t i = 0; i < found.names.size(); ++i) {
@@ -93,8 +95,10 @@ Html profiles(const FitResult& result) {
 Html posterior(const FitResult& result) {
     const Posterior& sampled = *result.posterior;
     HtmlTable table{
-        .caption = fmt::format("Posterior: {} chains of {} draws, {} divergences, {} evaluations", sampled.chains,
-                               sampled.draws.cols() / sampled.chains, sampled.divergences, sampled.evaluations),
+        .caption = fmt::format(
+            "Posterior: {} chains of {} draws, steps that went astray (divergences): {}, {} evaluations. R-hat: "
+            "1 where the chains agree; effective draws: how many independent ones tell as much",
+            sampled.chains, sampled.draws.cols() / sampled.chains, sampled.divergences, sampled.evaluations),
         .columns = {{.name = "parameter", .cells = Cells::text},
                     {.name = "median"},
                     {.name = "deviation"},

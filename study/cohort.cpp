@@ -20,7 +20,7 @@
 namespace skinfit {
 namespace {
 
-const std::string example = "configs/cohort_power.json of the source tree is an example";
+const std::string example = "configs/cohort_power.json, which comes with skinfit, is an example";
 
 /// Settings that the cohort itself states, or that a simulation has no use for.
 void refuse_misplaced(const std::string& key, const std::string& where) {

@@ -11,7 +11,7 @@ std::optional<StudyRun> run_study_together(const Study& study, const StudyRunOpt
     throw InputError({.where = "mpirun",
                       .problem = fmt::format("has started {} processes", launched_processes()),
                       .why = "this skinfit was built without MPI, and they cannot share a ledger",
-                      .remedy = "build it with -DSKINFIT_MPI=ON, or run one process with --jobs"});
+                      .remedy = "build it with -DSKINFIT_MPI=ON, or run one process with --threads"});
 }
 
 }  // namespace skinfit

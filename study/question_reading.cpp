@@ -13,7 +13,7 @@
 namespace skinfit {
 namespace {
 
-const std::string example = "configs/study_example.json of the source tree is an example";
+const std::string example = "configs/study_example.json, which comes with skinfit, is an example";
 
 std::string word(const Json& json, std::string_view key, const std::string& where) {
     const Json& value = json.at(key);

@@ -101,13 +101,15 @@ struct Study {
     std::filesystem::path output;  ///< folder of the ledger, maps and reports
 };
 
-/// The study that the file at `path` describes; what it names lies relative to its folder. Throws InputError for a file
-/// that is missing, no JSON or has unknown names, for a pattern of files that none matches, a file that two inputs
-/// name, a manifest that cannot be read, and as `configured`. Files of spectra are not read.
-[[nodiscard]] Study read_study(const std::filesystem::path& path);
+/// The study that the file at `path` describes; what it names lies relative to its folder, and its inputs relative to
+/// the folder `data` where that is given. Throws InputError for a file that is missing, no JSON or has unknown names,
+/// for a pattern of files that none matches, a file that two inputs name, a manifest that cannot be read, and as
+/// `configured`. Files of spectra are not read.
+[[nodiscard]] Study read_study(const std::filesystem::path& path, const std::filesystem::path& data = {});
 
 /// The same from text; `path` names it in messages and is where relative names start.
-[[nodiscard]] Study parse_study(std::string_view text, const std::filesystem::path& path);
+[[nodiscard]] Study parse_study(std::string_view text, const std::filesystem::path& path,
+                                const std::filesystem::path& data = {});
 
 /// The configuration of the fits, as far as the study decides it: that of `skinfit fit`, by the emulator, with what the
 /// study's file says. Throws InputError as `configured`.

@@ -19,7 +19,7 @@
 namespace skinfit {
 namespace {
 
-const std::string example = "configs/study_example.json of the source tree is an example";
+const std::string example = "configs/study_example.json, which comes with skinfit, is an example";
 
 std::vector<std::string> read_words(const Json& json, std::string_view key, const std::string& where) {
     std::vector<std::string> words;
@@ -102,7 +102,7 @@ void check_map_names(const std::vector<StudyCube>& cubes, const std::string& whe
 
 }  // namespace
 
-Study parse_study(std::string_view text, const std::filesystem::path& path) {
+Study parse_study(std::string_view text, const std::filesystem::path& path, const std::filesystem::path& data) {
     const std::string where = path.string();
     const Json json = parsed_json(text, where, example);
     require_names(
@@ -113,7 +113,7 @@ Study parse_study(std::string_view text, const std::filesystem::path& path) {
     Study study;
     study.file = path;
     study.name = json.contains("name") ? read_word(json, "name", where) : path.stem().string();
-    const StudyInputs inputs = read_inputs(json["inputs"], folder, where + ".inputs");
+    const StudyInputs inputs = read_inputs(json["inputs"], data.empty() ? folder : data, where + ".inputs");
     study.files = inputs.files;
     study.cubes = inputs.cubes;
     std::set<std::string> sources;
@@ -135,8 +135,8 @@ Study parse_study(std::string_view text, const std::filesystem::path& path) {
     return study;
 }
 
-Study read_study(const std::filesystem::path& path) {
-    return parse_study(read_file(path), path);
+Study read_study(const std::filesystem::path& path, const std::filesystem::path& data) {
+    return parse_study(read_file(path), path, data);
 }
 
 }  // namespace skinfit

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string example = "configs/study_example.json of the source tree is an example";
+const std::string example = "configs/study_example.json, which comes with skinfit, is an example";
 
 std::string word(const Json& value, const std::string& where) {
     if (value.is_string() && !value.get<std::string>().empty()) return value.get<std::string>();
@@ -53,7 +53,7 @@ std::vector<fs::path> matches(const std::string& pattern, const fs::path& folder
     throw InputError({.where = where,
                       .problem = fmt::format("no file matches {}", whole.string()),
                       .why = status == GLOB_ABORTED ? "a folder cannot be read" : "the study would lack its spectra",
-                      .remedy = "correct the pattern, or leave it out"});
+                      .remedy = "correct the pattern, or name the folder of the data with --data"});
 }
 
 /// As the ledger names it, however the study's own file is named: relative to its folder, unless the study names the

@@ -88,7 +88,7 @@ PowerAnswer power_answer(const Study& study, const std::vector<AnsweredRow>& row
                        .contrasts = {}};
     if (const std::optional<double> slope = slope_of(rows, question.quantity)) {
         answer.design.slope = *slope;
-        answer.slope_source = "of estimates against true values";
+        answer.slope_source = "the slope of estimates against true values";
     }
     for (const StudyGroup& group : groups) {
         const std::optional<GroupSummary> summary = summary_of(group, question.quantity);
@@ -106,16 +106,17 @@ std::string power_text(const PowerAnswer& answer) {
     const std::string of_unit = unit.empty() ? "" : " " + unit;
     std::string text = fmt::format("{}: two groups, two-sided t test at level {:g}, power {:g}\n",
                                    answer.question.quantity, answer.design.significance_level, answer.question.power);
-    text += fmt::format("sd of estimates between subjects {:.3g}{}, of repeats {:.3g}{}, measurements per subject {}\n",
-                        answer.design.between_subject_sd, of_unit, answer.design.measurement_sd, of_unit,
-                        answer.design.repeats);
-    text +=
-        fmt::format("estimates show {:.3g} of a true difference ({})\n\n", answer.design.slope, answer.slope_source);
+    text += fmt::format(
+        "standard deviation of estimates between subjects {:.3g}{}, of repeats {:.3g}{}; measurements per subject {}\n",
+        answer.design.between_subject_sd, of_unit, answer.design.measurement_sd, of_unit, answer.design.repeats);
+    text += fmt::format("a true difference shows in the estimates at {:.3g} of its size ({})\n\n", answer.design.slope,
+                        answer.slope_source);
     text += "  subjects per group   detectable true difference\n";
     for (std::size_t i = 0; i < answer.detectable.size(); ++i) {
         const std::optional<double>& difference = answer.detectable[i];
-        text += fmt::format("  {:>18}   {}\n", answer.question.subjects[i],
-                            difference ? fmt::format("{:.3g}{}", *difference, of_unit) : "none: the slope is 0");
+        text += fmt::format(
+            "  {:>18}   {}\n", answer.question.subjects[i],
+            difference ? fmt::format("{:.3g}{}", *difference, of_unit) : "none: estimates do not follow true values");
     }
     if (!answer.contrasts.empty()) text += "\ngroups of the study, by their mean estimates\n";
     for (const GroupContrast& contrast : answer.contrasts) {

@@ -17,7 +17,7 @@ namespace {
 
 using Names = std::vector<std::string_view>;
 
-const std::string example = "configs/figure_5.json of the source tree is an example";
+const std::string example = "configs/figure_5.json, which comes with skinfit, is an example";
 
 /// An object whose keys are all `known` and among which none of `needed` is missing.
 void check_keys(const Json& json, const Names& known, const Names& needed, const std::string& where) {

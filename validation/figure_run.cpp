@@ -132,9 +132,10 @@ FigureResult run_figure(const Figure& figure, const FigureOptions& options) {
         PanelResult panel_result;
         if (panel.measured) panel_result.measured = measured_spectrum(*panel.measured, options.shared_folder);
         if (panel.measured && !panel_result.measured) {
-            result.messages.push_back(
-                fmt::format("figure {}: {} is not below {}: comparison with it skipped; name the folder with --shared",
-                            figure.number, *panel.measured, options.shared_folder.string()));
+            result.messages.push_back(fmt::format(
+                "figure {}: no comparison with {}, which is not shipped{}; --shared names its folder", figure.number,
+                *panel.measured,
+                options.shared_folder.empty() ? "" : fmt::format(" and not in {}", options.shared_folder.string())));
         }
         for (const FigureVariant& variant : figure.variants) {
             panel_result.variants.push_back(run_variant(panel, figure.kind, variant, panel_result.measured, options));

@@ -16,9 +16,9 @@ namespace skinfit {
 
 /// How figures are computed.
 struct FigureOptions {
-    std::optional<std::uint64_t> rays;  ///< per wavelength of the walk, instead of the figure's own
-    std::optional<std::uint64_t> seed;  ///< of the walk, instead of the figure's own
-    std::filesystem::path shared_folder = "../shared";
+    std::optional<std::uint64_t> rays;      ///< per wavelength of the walk, instead of the figure's own
+    std::optional<std::uint64_t> seed;      ///< of the walk, instead of the figure's own
+    std::filesystem::path shared_folder{};  ///< of measurements that are not shipped; empty: none
 };
 
 /// A panel under one variant: its curves, and what became of its claims.

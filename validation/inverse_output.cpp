@@ -116,7 +116,9 @@ std::string recovery_text(const RecoverySummary& summary) {
     }
     return text +
            "Bias and RMSE where identifiable; coverage is to lie within 93 to 97 %, or within what chance makes of "
-           "95 % in so few spectra.\n";
+           "95 % in so few spectra; \"- of N\": N spectra are too few for that.\n"
+           "Not mixed: chains of one posterior disagree; divergences: steps that went astray; ranks: p of the truth's "
+           "ranks among the posterior's draws, all equally likely.\n";
 }
 
 Json recovery_json(const RecoverySummary& summary) {

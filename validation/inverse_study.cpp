@@ -70,7 +70,7 @@ struct Searched {
     const Objective& objective;
 
     [[nodiscard]] Minimum best(Solver solver, std::size_t count) const {
-        return distinct_minima(cheap, objective, solver, count).front().minimum;
+        return distinct_minima(cheap, objective, solver, count).minima.front().minimum;
     }
 };
 

@@ -27,7 +27,7 @@ std::optional<Spectrum> measured_spectrum(const std::string& name, const std::fi
     constexpr std::string_view shared = "shared/";
     if (name.starts_with(shared)) {
         const std::filesystem::path path = shared_folder / name.substr(shared.size());
-        if (!std::filesystem::exists(path)) return std::nullopt;
+        if (shared_folder.empty() || !std::filesystem::exists(path)) return std::nullopt;
         return read_spectrum(path);
     }
     std::vector<std::string_view> known;

@@ -52,7 +52,7 @@ TEST_F(BadInput, Files) {
                                         "ELF\0\1\2",
                                         7),
                             "bad.csv:1: ");
-    expect_spectrum_refused("400,0.2\n450,abc\n500,0.3\n", "bad.csv:2: holds 'abc'");
+    expect_spectrum_refused("400,0.2\n450,abc\n500,0.3\n", "bad.csv:2: holds \"abc\"");
     expect_spectrum_refused("400,0.2\n450,inf\n500,0.3\n", "bad.csv:2: ");
     expect_spectrum_refused("400,0.2\n450,-0.1\n500,0.3\n", "bad.csv:2: the value -0.1 at 450 nm is negative");
     expect_spectrum_refused("400,20\n450,170\n500,30\n", "1.7 at 450 nm exceeds 1.5");
@@ -71,7 +71,8 @@ TEST_F(BadInput, Columns) {
 TEST_F(BadInput, Wavelengths) {
     expect_refused({"fit", "good.csv", "--set", "wavelength_max_nm=2000"}, "outside the tables");
     expect_refused({"fit", "good.csv", "--set", "wavelength_min_nm=600", "--set", "wavelength_max_nm=500"}, "exchange");
-    expect_refused({"simulate", "--wavelengths", "100:200:10", "--out", "result.csv"}, "wavelength 100 nm: outside");
+    expect_refused({"simulate", "--wavelengths", "100:200:10", "--out", "result.csv"},
+                   "wavelength 100 nm: outside the tables (the pigments are tabulated from 250 to 820.26 nm); choose");
     expect_refused({"simulate", "--wavelengths", "1500", "--engine", "walk"}, "1500 nm");
     expect_refused({"simulate", "--wavelengths", "400:700"}, "--wavelengths: ");
 }
@@ -101,6 +102,7 @@ TEST_F(BadInput, KeysAndValues) {
     expect_refused({"fit", "good.csv", "--set", "engine=walk"}, "set engine=paths");
     expect_refused({"fit", "good.csv", "--set", "bilirubin_g_per_l=20"}, "outside its bounds");
     expect_refused({"fit", "good.csv", "--set", "layers=2", "--set", "base=hypodermis"}, "base: hypodermis");
+    expect_refused({"simulate", "--set", "base=air"}, "hypodermis, matched or a refractive index is needed");
     expect_refused({"fit", "good.csv", "--solver", "cere"}, "--solver: ");
     expect_refused({"fit", "good.csv", "--unit", "percents"}, "--unit: ");
     expect_refused({"simulate", "--engine", "path"}, "--engine: ");
@@ -128,7 +130,7 @@ TEST_F(BadInput, SlipsAndContradictions) {
     expect_refused({"simulate", "--set", "layers=4.5"}, "2 or 4 is needed");
     expect_refused({"simulate", "--set", "scale=1e400"}, "beyond the range of double precision");
     expect_refused({"simulate", "--seed", "9007199254740992"}, "give a whole number from 0 to 9007199254740991");
-    expect_spectrum_refused("# incidence: 45\n" + good_spectrum, "bad.csv:1: unknown key 'incidence'");
+    expect_spectrum_refused("# incidence: 45\n" + good_spectrum, "bad.csv:1: unknown key \"incidence\"");
     expect_spectrum_refused("# layers: 3\n" + good_spectrum, "bad.csv:1: layers: 3 cannot be used");
     expect_spectrum_refused("# edition: printed\n# edition: revised\n" + good_spectrum, "is given again");
 }
@@ -158,15 +160,35 @@ TEST_F(BadInput, CommandLines) {
     expect_refused({"--sed", "1"}, "unknown option --sed");
     expect_refused({"config"}, "give one of show, schema, check");
     expect_refused({"config", "shw"}, "did you mean `skinfit config show`?");
-    expect_refused({"fit"}, "FILE is required");
+    expect_refused({"fit"}, "FILE is missing (`skinfit fit` needs it); give it");
     expect_refused({"fit", "good.csv", "other.csv"}, "other.csv: cannot be read");
     expect_refused({"simulate", "good.csv"}, "\"good.csv\" is one word too many");
     expect_refused({"fit", "good.csv", "--sett", "a=b"}, "did you mean --set?");
     expect_refused({"fit", "good.csv", "--cross_check"}, "did you mean --cross-check?");
-    expect_refused({"fit", "good.csv", "--format=xml"}, "this value is not accepted");
-    expect_refused({"fit", "good.csv", "--config"}, "value is missing");
-    expect_refused({"simulate", "--threads", "0"}, "--threads");
+    expect_refused({"fit", "good.csv", "--format=xml"},
+                   "--format: \"xml\" cannot be used (one of text, json is needed); give one of these");
+    expect_refused({"fit", "good.csv", "--config"}, "--config is given without a value");
+    expect_refused({"simulate", "--quiet=perhaps"}, "--quiet is given a value (it takes none); leave the value out");
+    expect_refused({"study", "run", "a.json", "--quiet", "--verbose"}, "leave one of them out");
     expect_refused({"simulate", "--colum", "x"}, "unknown option --colum");
+}
+
+TEST_F(BadInput, ValuesBeyondTheLimitsOfAnOption) {
+    const std::string threads = "give a whole number from 1 to 1024\n";
+    expect_refused({"simulate", "--threads", "0"}, "--threads: 0 cannot be used (out of range); " + threads);
+    expect_refused({"simulate", "--threads", "-1"}, "--threads: -1 cannot be used (out of range); " + threads);
+    expect_refused({"simulate", "--threads", "2.5"},
+                   "--threads: 2.5 cannot be used (it is no whole number); " + threads);
+    expect_refused({"simulate", "--threads", "2x"},
+                   "--threads: \"2x\" cannot be used (a number is needed); " + threads);
+    expect_refused({"study", "run", "a.json", "--jobs", "0"}, "--jobs: 0 cannot be used (out of range); " + threads);
+    const std::string step = "give a number from 0.5 to 90\n";
+    expect_refused({"gonio", "--polar-step", "100"}, "--polar-step: 100 cannot be used (out of range); " + step);
+    expect_refused({"gonio", "--polar-step", "nan"}, "--polar-step: ");
+    expect_refused({"gonio", "--part", "inside"}, "one of total, surface, subsurface is needed");
+    expect_refused({"gonio", "--rays", "x"}, "--rays: \"x\" cannot be used (a number is needed)");
+    expect_refused({"completion", "tcsh"}, "SHELL: \"tcsh\" cannot be used (one of bash, zsh, fish is needed)");
+    expect_refused({"study", "run", "a.json", "--part", "3/2"}, "--part 3/2: is no share of a study");
 }
 
 TEST_F(BadInput, APageNeedsItsFileAndItsPort) {

@@ -91,6 +91,27 @@ TEST_F(HelpRuns, EveryCommandHasExamplesAndQuiet) {
     }
 }
 
+TEST_F(HelpRuns, EveryCommandSaysItsExitCodesAndOptionsTheirLimits) {
+    for (const Words& command : commands()) {
+        const std::string help = help_of(command);
+        EXPECT_NE(help.find("\nExit code 0: "), std::string::npos) << command.back();
+        EXPECT_NE(help.find("2: bad input"), std::string::npos) << command.back();
+        // CLI11's own words.
+        for (const char* word : {"INT", "UINT", "FLOAT", "TEXT", "REQUIRED", "Excludes"}) {
+            EXPECT_EQ(help.find(word), std::string::npos) << command.back() << ": " << word;
+        }
+    }
+    const std::string fit = help_of({"fit"});
+    EXPECT_NE(fit.find("--format text|json"), std::string::npos);
+    EXPECT_NE(fit.find("(default: text)"), std::string::npos);
+    EXPECT_NE(fit.find("(1 to 1024)"), std::string::npos);
+    EXPECT_NE(help_of({"study", "power"}).find("(needed)"), std::string::npos);
+    EXPECT_NE(help_of({"gonio"}).find("(0.5 to 90; default: 5)"), std::string::npos);
+    EXPECT_EQ(help_of({"study", "run"}).find("\n\n\n"), std::string::npos);
+    EXPECT_EQ(help_of({"study", "run"}).find("--jobs"), std::string::npos) << "the old name of --threads is not shown";
+    EXPECT_NE(help_of({"study", "run"}).find("; not with --quiet"), std::string::npos);
+}
+
 TEST_F(HelpRuns, EveryExampleWorks) {
     // These wait for a person or take minutes; those that write where the user's own files are, too.
     const auto is_left_out = [](const std::string& example) {

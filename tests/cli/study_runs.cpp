@@ -25,7 +25,7 @@ protected:
     }
 
     [[nodiscard]] StartedProgram started(const std::string& name) const {
-        return StartedProgram({skinfit_program(), "study", "run", name + ".json", "--jobs", "1"}, folder());
+        return StartedProgram({skinfit_program(), "study", "run", name + ".json", "--threads", "1"}, folder());
     }
 };
 
@@ -62,7 +62,7 @@ TEST_F(StudyRuns, ThreadsDoNotMatter) {
     put_study("one", R"(["spectra.csv"])");
     put_study("three", R"(["spectra.csv"])");
     run_to_its_end("one", {"--jobs", "1"});
-    run_to_its_end("three", {"--jobs", "3"});
+    run_to_its_end("three", {"--threads", "3"});
     EXPECT_TRUE(answers("one") == answers("three"));
 }
 
@@ -202,7 +202,7 @@ TEST_F(StudyRuns, ProcessesOfAnMpiJobShareTheWork) {
     put_study("several", R"(["spectra.csv"])");
     run_to_its_end("one");
     const StartedProgram job({SKINFIT_TEST_MPIRUN, "--allow-run-as-root", "--oversubscribe", "-n", "3",
-                              skinfit_program(), "study", "run", "several.json", "--jobs", "1"},
+                              skinfit_program(), "study", "run", "several.json", "--threads", "1"},
                              folder());
     const Outcome outcome = job.wait();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -108,7 +108,7 @@ FitResult with_other_minimum(double cost) {
     DistinctMinimum other{.minimum = result.answer.minimum, .searches = 2};
     other.minimum.cost = cost;
     other.minimum.values[0] *= 2.0;
-    result.minima.push_back(other);
+    result.searches.minima.push_back(other);
     return result;
 }
 

@@ -119,10 +119,13 @@ FitResult example_result() {
     result.answer.minimum.converged = true;
     result.answer.minimum.termination = "Function tolerance reached.";
     result.answer.seconds = 0.012;
-    result.minima = {{.minimum = result.answer.minimum, .searches = 7},
-                     {.minimum = result.answer.minimum, .searches = 1}};
-    result.minima[1].minimum.cost = 60.25;
-    result.minima[1].minimum.values[0] = 0.1;
+    result.searches = {.minima = {{.minimum = result.answer.minimum, .searches = 7},
+                                  {.minimum = result.answer.minimum, .searches = 1}},
+                       .starts = 8,
+                       .rough_minima = 2,
+                       .finished = 2};
+    result.searches.minima[1].minimum.cost = 60.25;
+    result.searches.minima[1].minimum.values[0] = 0.1;
     SolverAnswer other = result.answer;
     other.solver = Solver::bobyqa;
     other.seconds = 0.47;
@@ -146,7 +149,8 @@ FitResult trustworthy_result() {
     result.answer.solver = Solver::ceres;
     result.answer.minimum.cost = result.cost;
     result.answer.minimum.converged = true;
-    result.minima = {{.minimum = result.answer.minimum, .searches = 8}};
+    result.searches = {
+        .minima = {{.minimum = result.answer.minimum, .searches = 8}}, .starts = 8, .rough_minima = 1, .finished = 1};
     judge(result);
     return result;
 }

@@ -126,10 +126,25 @@ TEST(ExpectedGain, IsZeroAtAMinimumAndThePossibleFallElsewhere) {
 TEST(DistinctMinima, EverySearchEndsWhereThereIsOneMinimum) {
     const Configuration configuration = quick_configuration();
     const Task task(configuration, modelled_spectrum(configuration, grid_nm(400, 700, 10)));
-    const std::vector<DistinctMinimum> minima = distinct_minima(task.objective, task.objective, Solver::ceres, 6);
-    ASSERT_EQ(minima.size(), 1U);
-    EXPECT_EQ(minima[0].searches, 6);
-    EXPECT_LT(minima[0].minimum.cost, 1e-6);
+    const Searches searches = distinct_minima(task.objective, task.objective, Solver::ceres, 6);
+    EXPECT_EQ(searches.starts, 6U);
+    EXPECT_EQ(searches.rough_minima, 1U);
+    EXPECT_EQ(searches.finished, 1U);
+    ASSERT_EQ(searches.minima.size(), 1U);
+    EXPECT_EQ(searches.minima[0].searches, 6);
+    EXPECT_LT(searches.minima[0].minimum.cost, 1e-6);
+}
+
+TEST(DistinctMinima, SayHowManyWereLeftOut) {
+    const Configuration configuration = quick_configuration();
+    const Task task(configuration, modelled_spectrum(configuration, grid_nm(400, 700, 10)));
+    // Searches that may not take a step end where they start, and so at as many places.
+    const Searches searches =
+        distinct_minima(task.objective, task.objective, Solver::bobyqa, 9, {.cheap_evaluations = 1, .evaluations = 1});
+    EXPECT_EQ(searches.starts, 9U);
+    EXPECT_EQ(searches.rough_minima, 9U);
+    EXPECT_EQ(searches.finished, most_finished);
+    EXPECT_LE(searches.minima.size(), most_finished);
 }
 
 TEST(DistinctMinima, DoNotDependOnTheStart) {

@@ -37,6 +37,31 @@ TEST(TextReport, ShowsHowThePosteriorWasSampled) {
     expect_golden(text_report(sampled_result()), "sampled.txt");
 }
 
+TEST(TextReport, SaysWhichMinimaWereLeftOut) {
+    FitResult result = example_result();
+    EXPECT_EQ(search_words(result), "8 starts, which ended at 2 minima");
+    result.searches.rough_minima = 7;
+    result.searches.finished = 6;
+    EXPECT_EQ(search_words(result), "8 starts, 7 minima; the best 6 were finished, and ended at 2 minima");
+    EXPECT_EQ(json_report(result)["searches"], Json::parse(R"({"starts": 8, "minima": 7, "finished": 6})"));
+    result.searches = {.minima = {{.minimum = result.answer.minimum, .searches = 0},
+                                  {.minimum = result.answer.minimum, .searches = 1}},
+                       .starts = 1,
+                       .rough_minima = 1,
+                       .finished = 1};
+    EXPECT_EQ(search_words(result), "1 start, which ended at 1 minimum; profiling met one more");
+}
+
+TEST(TextReport, SaysWhatACostIs) {
+    FitResult result = example_result();
+    EXPECT_EQ(cost_name(result), "cost");
+    EXPECT_EQ(cost_words(result), "chi2 with loss huber, plus what 1 prior adds");
+    result.configuration.weights.resize(2);
+    result.priors.clear();
+    EXPECT_EQ(cost_words(result), "chi2 with loss huber, with weights in 2 ranges");
+    EXPECT_EQ(cost_name(trustworthy_result()), "chi2");
+}
+
 TEST(TextReport, LinesEndWithoutBlanks) {
     EXPECT_EQ(text_report(example_result()).find(" \n"), std::string::npos);
 }

@@ -53,9 +53,9 @@ TEST(FormatRefusals, OfRows) {
         {"id,400,410,420\na,0.1,0.2,0.3,0.4\n",
          "f:2: has 5 fields (line 1 has 4); give every spectrum one field per name and wavelength of the header"},
         {"id,400,410,420\na,0.1,O.2,0.3\n",
-         "f:2: holds 'O.2' as the value at 410 nm (a number is needed); correct the field or delete the line"},
+         "f:2: holds \"O.2\" as the value at 410 nm (a number is needed); correct the field or delete the line"},
         {"id,400,410,420\na,0.1,inf,0.3\n",
-         "f:2: the value at 410 nm is 'inf' (only finite numbers can be used); delete "
+         "f:2: the value at 410 nm is \"inf\" (only finite numbers can be used); delete "
          "the line or choose another column"},
         {"id,400,410,420\n",
          "f: holds no numbers (the first line names the cells: an id, then at least three wavelengths "
@@ -75,7 +75,7 @@ TEST(FormatRefusals, OfCgats) {
         {begin + "NUMBER_OF_SETS 3\nBEGIN_DATA\na 10 20\nEND_DATA\n",
          "f: holds 1 sets (NUMBER_OF_SETS promises 3); check that the file is complete"},
         {begin + "BEGIN_DATA\na 10 x\nEND_DATA\n",
-         "f:6: holds 'x' as SPEC_410 (a number is needed); correct the value, or write 0 for one that is missing"},
+         "f:6: holds \"x\" as SPEC_410 (a number is needed); correct the value, or write 0 for one that is missing"},
         {"CTI3\nBEGIN_DATA_FORMAT\nRGB_R\nEND_DATA_FORMAT\nBEGIN_DATA\n1\nEND_DATA\n",
          "f: holds no spectra (no table has fields such as SPEC_360 with numbers in them; it may hold colours only); "
          "export "
@@ -99,22 +99,24 @@ TEST(FormatRefusals, OfJcampDx) {
         {steps + "##NPOINTS= 1E+18\n##XYDATA= (X++(Y..Y))\n400 1 2 3\n##END=\n",
          "f:6: ##NPOINTS= is 1e+18 (1 to 10000000 are read); correct it, or split the file"},
         {steps + "##NPOINTS= many\n##XYDATA= (X++(Y..Y))\n400 1 2 3\n##END=\n",
-         "f:6: ##NPOINTS= is 'many' (a number is needed); correct it, or export the spectrum again"},
+         "f:6: ##NPOINTS= is \"many\" (a number is needed); correct it, or export the spectrum again"},
         {steps + "##NPOINTS= 3\n##XYDATA= (X++(Y..Y))\n400 1 2 3 4\n##END=\n",
          "f:7: holds 4 or more points (##NPOINTS= promises 3); " + unchanged},
         {steps + "##NPOINTS= 3\n##XYDATA= (X++(Y..Y))\n400 1 2 !\n##END=\n",
-         "f:8: holds '!' among its numbers (it has none of the forms AFFN, PAC, SQZ, DIF and DUP); " + unchanged},
+         "f:8: holds \"!\" among its numbers (it has none of the forms AFFN, PAC, SQZ, DIF and DUP); " + unchanged},
         {steps + "##NPOINTS= 3\n##XYDATA= (R++(A..A))\n400 1 2 3\n##END=\n",
-         "f:7: has the form '(R++(A..A))' (only (X++(Y..Y)) and (XY..XY) are read); export the spectrum again in one "
+         "f:7: has the form \"(R++(A..A))\" (only (X++(Y..Y)) and (XY..XY) are read); export the spectrum again in one "
          "of "
          "these"},
         {head + "##XYPOINTS= (XY..XY)\n400 0.1 410\n##END=\n",
          "f:5: has 3 numbers (points are pairs of an abscissa and an ordinate); " + unchanged},
         {"##TITLE= a\n##XUNITS= SECONDS\n##YUNITS= REFLECTANCE\n##XYPOINTS= (XY..XY)\n400 0.1\n##END=\n",
-         "f:2: ##XUNITS= is 'SECONDS' (it must be NANOMETERS, MICROMETERS or 1/CM); correct it, or export the spectrum "
+         "f:2: ##XUNITS= is \"SECONDS\" (it must be NANOMETERS, MICROMETERS or 1/CM); correct it, or export the "
+         "spectrum "
          "again"},
         {"##TITLE= a\n##XUNITS= NANOMETERS\n##YUNITS= ABSORBANCE\n##XYPOINTS= (XY..XY)\n400 0.1\n##END=\n",
-         "f:3: ##YUNITS= is 'ABSORBANCE' (only REFLECTANCE and TRANSMITTANCE are spectra that can be used); export the "
+         "f:3: ##YUNITS= is \"ABSORBANCE\" (only REFLECTANCE and TRANSMITTANCE are spectra that can be used); export "
+         "the "
          "spectrum again as one of these"},
     });
 }
@@ -138,7 +140,7 @@ TEST(FormatRefusals, OfJson) {
         {R"([{"start": 400, "step": 1, "value": ["x"]}])",
          "f: spectrum 1: value: \"x\" cannot be used (a number or null is needed); correct it; " + json_example},
         {R"({"start": 400, "step": 1, "value": [0.1], "specula": "included"})",
-         "f: unknown name 'specula' (it would have no effect); did you mean \"specular\"? Else rename it"},
+         "f: unknown name \"specula\" (it would have no effect); did you mean \"specular\"? Else rename it"},
         {R"({"start": 400, "start": 1, "value": [0.1]})",
          "f: gives \"start\" twice (only one of them could hold); keep one of the two"},
         {"[]", "f: holds no numbers (every value of every spectrum is missing); check that the file is complete"},
@@ -159,7 +161,7 @@ TEST(FormatRefusals, OfUnknownReadersAndSpectra) {
         ADD_FAILURE() << "accepted";
     } catch (const InputError& error) {
         EXPECT_STREQ(error.what(),
-                     "f: has no spectrum 'c' (it holds a, b; the nearest name is 'a'); choose one by its name "
+                     "f: has no spectrum \"c\" (it holds a, b; the nearest name is \"a\"); choose one by its name "
                      "or by its number, counted from 1");
     }
 }

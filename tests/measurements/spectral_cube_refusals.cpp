@@ -38,53 +38,53 @@ TEST(EnviHeaderRefusals, GiveTheseMessages) {
          "a.hdr:1: does not begin with the line ENVI (every ENVI header does); name an ENVI header or its data file"},
         {"ENVIRON\n" + sizes,
          "a.hdr:1: does not begin with the line ENVI (every ENVI header does); name an ENVI header or its data file"},
-        {"ENVI", "a.hdr: has no 'samples' (without it the data cannot be read); add a line 'samples = ...'"},
+        {"ENVI", "a.hdr: has no \"samples\" (without it the data cannot be read); add a line \"samples = ...\""},
         {"ENVI\nsamples = 5\nlines = 4\n" + layout,
-         "a.hdr: has no 'bands' (without it the data cannot be read); add a line 'bands = ...'"},
+         "a.hdr: has no \"bands\" (without it the data cannot be read); add a line \"bands = ...\""},
         {"ENVI\n" + sizes + "interleave = bsq\n",
-         "a.hdr: has no 'data type' (without it the data cannot be read); add a line 'data type = ...'"},
+         "a.hdr: has no \"data type\" (without it the data cannot be read); add a line \"data type = ...\""},
         {"ENVI\n" + sizes + "data type = 12\nbyte order = 0\n",
-         "a.hdr: has no 'interleave' (without it the data cannot be read); add a line 'interleave = ...'"},
+         "a.hdr: has no \"interleave\" (without it the data cannot be read); add a line \"interleave = ...\""},
         {"ENVI\n" + sizes + "data type = 12\ninterleave = bil\n",
-         "a.hdr: has no 'byte order' (without it the data cannot be read); add a line 'byte order = ...'"},
+         "a.hdr: has no \"byte order\" (without it the data cannot be read); add a line \"byte order = ...\""},
         {"ENVI\n" + sizes + layout + "lines = 4\n",
-         "a.hdr:8: repeats 'lines' (line 3 has it already); keep the one that is right"},
+         "a.hdr:8: repeats \"lines\" (line 3 has it already); keep the one that is right"},
         {"ENVI\nsamples = 1000000000000000000\nlines = 4\nbands = 3\n" + layout,
-         "a.hdr:2: 'samples' is '1000000000000000000' (it must be a whole number from 1 to 2147483647); " + mend},
+         "a.hdr:2: \"samples\" is \"1000000000000000000\" (it must be a whole number from 1 to 2147483647); " + mend},
         {"ENVI\nsamples = 0\nlines = 4\nbands = 3\n" + layout,
-         "a.hdr:2: 'samples' is '0' (it must be a whole number from 1 to 2147483647); " + mend},
+         "a.hdr:2: \"samples\" is \"0\" (it must be a whole number from 1 to 2147483647); " + mend},
         {"ENVI\nsamples = -5\nlines = 4\nbands = 3\n" + layout,
-         "a.hdr:2: 'samples' is '-5' (it must be a whole number from 1 to 2147483647); " + mend},
+         "a.hdr:2: \"samples\" is \"-5\" (it must be a whole number from 1 to 2147483647); " + mend},
         {"ENVI\nsamples = 5\nlines = 4\nbands = 100000\n" + layout,
-         "a.hdr:4: 'bands' is '100000' (it must be a whole number from 1 to 65536); " + mend},
+         "a.hdr:4: \"bands\" is \"100000\" (it must be a whole number from 1 to 65536); " + mend},
         {"ENVI\n" + sizes + "data type = 6\ninterleave = bsq\nbyte order = 0\n",
-         "a.hdr:5: 'data type' is '6' (complex numbers are no fractions of light); " + mend},
+         "a.hdr:5: \"data type\" is \"6\" (complex numbers are no fractions of light); " + mend},
         {"ENVI\n" + sizes + "data type = 7\ninterleave = bsq\nbyte order = 0\n",
-         "a.hdr:5: 'data type' is '7' (the types of real numbers are 1, 2, 3, 4, 5, 12, 13, 14 and 15); " + mend},
+         "a.hdr:5: \"data type\" is \"7\" (the types of real numbers are 1, 2, 3, 4, 5, 12, 13, 14 and 15); " + mend},
         {"ENVI\n" + sizes + "data type = 4\ninterleave = tile\nbyte order = 0\n",
-         "a.hdr:6: 'interleave' is 'tile' (it must be bsq, bil or bip); " + mend},
+         "a.hdr:6: \"interleave\" is \"tile\" (it must be bsq, bil or bip); " + mend},
         {"ENVI\n" + sizes + "data type = 4\ninterleave = bsq\nbyte order = 2\n",
-         "a.hdr:7: 'byte order' is '2' (it must be a whole number from 0 to 1); " + mend},
+         "a.hdr:7: \"byte order\" is \"2\" (it must be a whole number from 0 to 1); " + mend},
         {"ENVI\n" + sizes + layout + "file compression = 1\n",
-         "a.hdr:8: 'file compression' is '1' (only plain data without gaps are read); " + mend},
+         "a.hdr:8: \"file compression\" is \"1\" (only plain data without gaps are read); " + mend},
         {"ENVI\n" + sizes + layout + "major frame offsets = {0, 16}\n",
-         "a.hdr:8: 'major frame offsets' is '0, 16' (only plain data without gaps are read); " + mend},
+         "a.hdr:8: \"major frame offsets\" is \"0, 16\" (only plain data without gaps are read); " + mend},
         {"ENVI\n" + sizes + layout + "file type = ENVI Spectral Library\n",
-         "a.hdr:8: 'file type' is 'ENVI Spectral Library' (a cube is needed); " + mend},
+         "a.hdr:8: \"file type\" is \"ENVI Spectral Library\" (a cube is needed); " + mend},
         {"ENVI\n" + sizes + layout + "wavelength = {400, 500,\n 600",
-         "a.hdr:8: 'wavelength' opens a brace (no later line closes it); check that the header is complete"},
+         "a.hdr:8: \"wavelength\" opens a brace (no later line closes it); check that the header is complete"},
         {"ENVI\n" + sizes + layout + "wavelength = {400, 500}\n",
-         "a.hdr:8: 'wavelength' has 2 numbers (the cube has 3 bands); give one number per band"},
+         "a.hdr:8: \"wavelength\" has 2 numbers (the cube has 3 bands); give one number per band"},
         {"ENVI\n" + sizes + layout + "wavelength = {400,\n5OO, 600}\n",
-         "a.hdr:8: number 2 of 'wavelength' is '5OO' (a number is needed for every band); correct it"},
+         "a.hdr:8: number 2 of \"wavelength\" is \"5OO\" (a number is needed for every band); correct it"},
         {"ENVI\n" + sizes + layout + "wavelength units = Wavenumber\nwavelength = {400, 500, 600}\n",
-         "a.hdr:8: 'wavelength units' is 'Wavenumber' (it must be nanometers or micrometers); " + mend},
+         "a.hdr:8: \"wavelength units\" is \"Wavenumber\" (it must be nanometers or micrometers); " + mend},
         {"ENVI\n" + sizes + layout + "bbl = {1}\n",
-         "a.hdr:8: 'bbl' has 1 number (the cube has 3 bands); give one number per band"},
+         "a.hdr:8: \"bbl\" has 1 number (the cube has 3 bands); give one number per band"},
         {"ENVI\n" + sizes + layout + "reflectance scale factor = 0\n",
-         "a.hdr:8: 'reflectance scale factor' is '0' (it must be above 0); " + mend},
+         "a.hdr:8: \"reflectance scale factor\" is \"0\" (it must be above 0); " + mend},
         {"ENVI\n" + sizes + layout + "data ignore value = none\n",
-         "a.hdr:8: 'data ignore value' is 'none' (it must be a number); " + mend},
+         "a.hdr:8: \"data ignore value\" is \"none\" (it must be a number); " + mend},
     };
     for (const Case& refused : cases) {
         EXPECT_EQ(message_of([&] { (void)parse_envi_header(refused.header, "a.hdr"); }), refused.message);
@@ -113,28 +113,28 @@ protected:
 
 TEST_F(CubeRefusals, OfHeadersGiveTheseMessages) {
     write("");
-    EXPECT_EQ(
-        message("a.hdr"),
-        "a.hdr: has no 'wavelength' (without wavelengths the bands are no spectra); add 'wavelength = {...}' with one "
-        "number per band");
+    EXPECT_EQ(message("a.hdr"),
+              "a.hdr: has no \"wavelength\" (without wavelengths the bands are no spectra); add \"wavelength = {...}\" "
+              "with one "
+              "number per band");
     write("wavelength = {400, 500, 600}\n");
     EXPECT_EQ(
         message("a.hdr"),
-        "a.hdr: has no 'reflectance scale factor' (its data are whole numbers, and which of them stands for 1 is not "
-        "known); add 'reflectance scale factor = 10000', or whichever number stands for 1");
+        "a.hdr: has no \"reflectance scale factor\" (its data are whole numbers, and which of them stands for 1 is not "
+        "known); add \"reflectance scale factor = 10000\", or whichever number stands for 1");
     write(spectral + "bbl = {0, 0, 0}\n");
     EXPECT_EQ(message("a.hdr"),
-              "a.hdr: 'bbl' marks every band as bad (nothing is left to read); set 1 for the good bands");
+              "a.hdr: \"bbl\" marks every band as bad (nothing is left to read); set 1 for the good bands");
     write("wavelength = {400, 500, 50000}\nreflectance scale factor = 1\n");
     EXPECT_EQ(
         message("a.hdr"),
-        "a.hdr: the wavelength of band 3 is 50000 nm (it must lie between 100 and 10000 nm); correct 'wavelength' or "
-        "'wavelength units', or mark the band as bad in 'bbl'");
+        "a.hdr: the wavelength of band 3 is 50000 nm (it must lie between 100 and 10000 nm); correct \"wavelength\" or "
+        "\"wavelength units\", or mark the band as bad in \"bbl\"");
     write("wavelength = {500, 400, 500}\nreflectance scale factor = 1\n");
     EXPECT_EQ(message("a.hdr"),
               "a.hdr: bands 1 and 3 are both at 500 nm (a spectrum has one value at each wavelength); mark one of them "
               "as bad "
-              "in 'bbl'");
+              "in \"bbl\"");
 }
 
 TEST_F(CubeRefusals, OfFilesGiveTheseMessages) {
@@ -220,8 +220,8 @@ TEST_F(CubeRefusals, OfRegionsGiveTheseMessages) {
     }
     for (const std::string malformed :
          {"", "1,2,3", "1,2,3,4,5", "0,0,0,1", "0,0,1,0", "-1,0,1,1", "0.5,0,1,1", "a,b,c,d"}) {
-        EXPECT_EQ(with_rectangle(malformed), "--rectangle: is '" + malformed +
-                                                 "' (four whole numbers are needed, the last two above 0); give "
+        EXPECT_EQ(with_rectangle(malformed), "--rectangle: is \"" + malformed +
+                                                 "\" (four whole numbers are needed, the last two above 0); give "
                                                  "x,y,width,height in pixels, counted from 0, such as 10,20,5,5");
     }
 }

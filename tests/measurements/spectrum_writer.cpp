@@ -119,12 +119,12 @@ TEST(SpectrumWriter, CsvRefusesWhatItsColumnsCannotHold) {
     std::vector<Spectrum> several{complete("a", random), complete("b", random)};
     several[1].wavelength_nm[0] = 399;
     EXPECT_EQ(refusal(several),
-              "f: 'b' has other wavelengths than 'a' (the lines of a table have one wavelength each); " + remedy);
+              "f: \"b\" has other wavelengths than \"a\" (the lines of a table have one wavelength each); " + remedy);
     several[1] = complete("b", random);
     several[1].site = "right arm";
     EXPECT_EQ(
         refusal(several),
-        "f: 'b' is described otherwise than 'a' (the comments of a table hold for all of its columns); " + remedy);
+        "f: \"b\" is described otherwise than \"a\" (the comments of a table hold for all of its columns); " + remedy);
     for (const std::string name : {"a", "", "a_sigma", "sigma", " b", "b\nc", "reflectance"}) {
         several[1] = complete("b", random);
         several[1].name = name;

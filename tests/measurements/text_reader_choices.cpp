@@ -50,7 +50,7 @@ TEST(ColumnChoice, TakesTheUncertaintyOfItsOwnColumnBeforeTheCommonOne) {
 
 TEST(ColumnChoice, IsNotNeededBesideUncertainties) {
     EXPECT_EQ(parse_spectrum("nm,sigma,R\n400,0.01,0.5\n", "a").value, Numbers{0.5});
-    EXPECT_EQ(parse_spectrum("nm,lone_sigma\n400,0.5\n", "a").value, Numbers{0.5}) << "there is no column 'lone'";
+    EXPECT_EQ(parse_spectrum("nm,lone_sigma\n400,0.5\n", "a").value, Numbers{0.5}) << "there is no column \"lone\"";
 }
 
 TEST(ColumnChoice, PicksTheQuantityByTheColumnsName) {
@@ -74,12 +74,12 @@ TEST(ColumnChoice, LeavesTheCellsOfOtherColumnsUnread) {
 TEST(ColumnChoice, RefusalListsTheColumnsAndTheNearestName) {
     EXPECT_EQ(
         refusal("nm,left,right\n400,0.1,0.2\n", "rigth"),
-        "a.csv:1: has no column 'rigth' (its columns are left, right; the nearest name is 'right'); choose one of "
+        "a.csv:1: has no column \"rigth\" (its columns are left, right; the nearest name is \"right\"); choose one of "
         "these by its name or by its number, counted without the wavelengths");
     EXPECT_EQ(refusal("400 0.1 0.2\n", std::nullopt),
               "a.csv: has 2 columns of values (1, 2); choose one with --column, by its name or its number");
     for (const std::string number : {"0", "3", "-1", "1.5", "18446744073709551617"}) {
-        EXPECT_NE(refusal("400 0.1 0.2\n", number).find("has no column '" + number + "'"), std::string::npos);
+        EXPECT_NE(refusal("400 0.1 0.2\n", number).find("has no column \"" + number + "\""), std::string::npos);
     }
 }
 
@@ -96,12 +96,13 @@ TEST(ColumnChoice, RefusalListsTwentyColumnsAtMost) {
 }
 
 TEST(ColumnChoice, RefusesAmbiguousNamesAndUncertainties) {
-    EXPECT_NE(refusal("nm,R1,R1\n400,1,1\n", "R1").find("2 columns are called 'R1' (numbers 1, 2)"), std::string::npos);
+    EXPECT_NE(refusal("nm,R1,R1\n400,1,1\n", "R1").find("2 columns are called \"R1\" (numbers 1, 2)"),
+              std::string::npos);
     EXPECT_EQ(chosen("nm,R1,R1\n400,0.1,0.2\n", "2").value, Numbers{0.2});
-    EXPECT_NE(refusal(wide, "left_sigma").find("column 'left_sigma' holds uncertainties"), std::string::npos);
-    EXPECT_NE(refusal(wide, "3").find("column '3' holds uncertainties"), std::string::npos);
+    EXPECT_NE(refusal(wide, "left_sigma").find("column \"left_sigma\" holds uncertainties"), std::string::npos);
+    EXPECT_NE(refusal(wide, "3").find("column \"3\" holds uncertainties"), std::string::npos);
     EXPECT_NE(refusal("nm,sigma\n400,1\n", std::nullopt).find("has no column of values"), std::string::npos);
-    EXPECT_NE(refusal("nm,R,sigma,sigma\n400,1,1,1\n", "R").find("2 columns are called 'sigma'"), std::string::npos);
+    EXPECT_NE(refusal("nm,R,sigma,sigma\n400,1,1,1\n", "R").find("2 columns are called \"sigma\""), std::string::npos);
 }
 
 TEST(ColumnChoice, RefusesSpectraInRows) {

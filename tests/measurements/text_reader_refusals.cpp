@@ -46,20 +46,20 @@ TEST(TextReaderRefuses, BinaryText) {
 }
 
 TEST(TextReaderRefuses, LinesThatAreNeitherCommentNorHeaderNorNumbers) {
-    expect_refusal({"Title\nnm,R\nO400,0.5\n410,0.5\n", "a.csv:3", "starts with the word 'O400'"});
-    expect_refusal({"nm,R\n400,0.5\nend,0\n", "a.csv:3", "starts with the word 'end'"});
-    expect_refusal({"nm,R\n\n4OO,0.5\n", "a.csv:3", "'4OO' as nm"});
-    expect_refusal({"4OO,0.5\n500,0.5\n", "a.csv:1", "'4OO' as the wavelength"});
-    expect_refusal({"400,O.5\n500,0.5\n", "a.csv:1", "'O.5' as column 1"});
-    expect_refusal({"400,0.5 V\n", "a.csv:1", "'0.5 V' as column 1"});
+    expect_refusal({"Title\nnm,R\nO400,0.5\n410,0.5\n", "a.csv:3", "starts with the word \"O400\""});
+    expect_refusal({"nm,R\n400,0.5\nend,0\n", "a.csv:3", "starts with the word \"end\""});
+    expect_refusal({"nm,R\n\n4OO,0.5\n", "a.csv:3", "\"4OO\" as nm"});
+    expect_refusal({"4OO,0.5\n500,0.5\n", "a.csv:1", "\"4OO\" as the wavelength"});
+    expect_refusal({"400,O.5\n500,0.5\n", "a.csv:1", "\"O.5\" as column 1"});
+    expect_refusal({"400,0.5 V\n", "a.csv:1", "\"0.5 V\" as column 1"});
 }
 
 TEST(TextReaderRefuses, MissingAndInfiniteNumbers) {
     expect_refusal({"nm,R\n400,\n410,\n", "a.csv:2", "R is empty"});
-    expect_refusal({"nm,R\n400,NaN\n", "a.csv:2", "R is 'NaN'"});
-    expect_refusal({"nm,R\n400,-nan\n", "a.csv:2", "R is '-nan'"});
-    expect_refusal({"nm,R\n400,inf\n", "a.csv:2", "R is 'inf'"});
-    expect_refusal({"nm,R\n400,1e999\n", "a.csv:2", "'1e999' as R"});
+    expect_refusal({"nm,R\n400,NaN\n", "a.csv:2", "R is \"NaN\""});
+    expect_refusal({"nm,R\n400,-nan\n", "a.csv:2", "R is \"-nan\""});
+    expect_refusal({"nm,R\n400,inf\n", "a.csv:2", "R is \"inf\""});
+    expect_refusal({"nm,R\n400,1e999\n", "a.csv:2", "\"1e999\" as R"});
     expect_refusal({"nm,R\n,0.5\n", "a.csv:2", "nm is empty"});
     expect_refusal({",0.5\n500,0.5\n", "a.csv:1", "the wavelength is empty"});
     expect_refusal({"nm,R,sigma\n400,0.5,\n410,0.5,1\n", "a.csv:2", "sigma is empty"});
@@ -79,7 +79,7 @@ TEST(TextReaderRefuses, DecimalCommasThatCanBeReadInTwoWays) {
     expect_refusal({"nm R\n400 0,12\n", "a.csv:2", "decimal"});
     expect_refusal({"400,0,12\n410,0,13\n", "a.csv:1", "decimal"});
     expect_refusal({"nm,R\n400,0,12\n", "a.csv:2", "has 3 fields"});
-    expect_refusal({"nm;R\n400,5;0,12\n401.5;0,13\n", "a.csv:3", "'401.5' as nm (other fields have a decimal comma"});
+    expect_refusal({"nm;R\n400,5;0,12\n401.5;0,13\n", "a.csv:3", "\"401.5\" as nm (other fields have a decimal comma"});
     expect_refusal({"nm;R\n400;1.000,5\n", "a.csv:2", "two ways"});
     expect_refusal({"nm;R\n400;1,000,5\n", "a.csv:2", "separator of thousands"});
 }
@@ -106,15 +106,15 @@ TEST(TextReaderRefuses, ValuesThatAreNoFractions) {
 TEST(TextReaderRefuses, UncertaintiesThatAreNotAboveZero) {
     expect_refusal({"nm,R,sigma\n400,0.5,0\n", "a.csv:2", "sigma is 0 at 400 nm"});
     expect_refusal({"nm,R,R_sigma\n400,0.5,-0.1\n", "a.csv:2", "R_sigma is -0.1 at 400 nm"});
-    expect_refusal({"nm,R,sigma\n400,0.5,inf\n", "a.csv:2", "sigma is 'inf'"});
+    expect_refusal({"nm,R,sigma\n400,0.5,inf\n", "a.csv:2", "sigma is \"inf\""});
 }
 
 TEST(TextReaderRefuses, KnownKeysWithBadValues) {
     const std::string data = "400,0.5\n";
-    expect_refusal({data + "# incidence_deg: abc\n", "a.csv:2", "incidence_deg is 'abc'"});
-    expect_refusal({"# incidence_deg: 90\n" + data, "a.csv:1", "incidence_deg is '90'"});
-    expect_refusal({"# incidence_deg: -1\n" + data, "a.csv:1", "incidence_deg is '-1'"});
-    expect_refusal({"# incidence_deg: nan\n" + data, "a.csv:1", "incidence_deg is 'nan'"});
+    expect_refusal({data + "# incidence_deg: abc\n", "a.csv:2", "incidence_deg is \"abc\""});
+    expect_refusal({"# incidence_deg: 90\n" + data, "a.csv:1", "incidence_deg is \"90\""});
+    expect_refusal({"# incidence_deg: -1\n" + data, "a.csv:1", "incidence_deg is \"-1\""});
+    expect_refusal({"# incidence_deg: nan\n" + data, "a.csv:1", "incidence_deg is \"nan\""});
     expect_refusal({"# unit: nm\n" + data, "a.csv:1", "it must be fraction or percent"});
     expect_refusal({"# quantity:\n" + data, "a.csv:1", "it must be reflectance or transmittance"});
     expect_refusal({"# specular: yes\n" + data, "a.csv:1", "it must be included or excluded"});

@@ -6,14 +6,14 @@ namespace skinfit {
 namespace {
 
 TEST(InQuotes, IsOneShortLine) {
-    EXPECT_EQ(in_quotes("a\tb\vc\nd"), "'a b c d'");
-    EXPECT_EQ(in_quotes(std::string(40, 'x')), "'" + std::string(40, 'x') + "'");
-    EXPECT_EQ(in_quotes(std::string(41, 'x')), "'" + std::string(40, 'x') + "...'");
+    EXPECT_EQ(in_quotes("a\tb\vc\nd"), "\"a b c d\"");
+    EXPECT_EQ(in_quotes(std::string(40, 'x')), "\"" + std::string(40, 'x') + "\"");
+    EXPECT_EQ(in_quotes(std::string(41, 'x')), "\"" + std::string(40, 'x') + "...\"");
 }
 
 TEST(InQuotes, CutsNoCharacterOfUtf8InTwo) {
-    EXPECT_EQ(in_quotes(std::string(39, 'x') + "\u00b5m"), "'" + std::string(39, 'x') + "...'");
-    EXPECT_EQ(in_quotes(std::string(38, 'x') + "\u00b5m"), "'" + std::string(38, 'x') + "\u00b5...'");
+    EXPECT_EQ(in_quotes(std::string(39, 'x') + "\u00b5m"), "\"" + std::string(39, 'x') + "...\"");
+    EXPECT_EQ(in_quotes(std::string(38, 'x') + "\u00b5m"), "\"" + std::string(38, 'x') + "\u00b5...\"");
 }
 
 TEST(IsMissing, HoldsForNothingAndForTheUsualMarks) {

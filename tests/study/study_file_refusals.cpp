@@ -36,7 +36,7 @@ protected:
     }
 };
 
-const std::string example = "; configs/study_example.json of the source tree is an example";
+const std::string example = "; configs/study_example.json, which comes with skinfit, is an example";
 
 TEST_F(StudyRefusals, OfWhatIsNoStudy) {
     expect({{"{", "study.json:1: is no JSON (unexpected end of input); correct this line" + example},
@@ -61,7 +61,7 @@ TEST_F(StudyRefusals, OfInputs) {
              "study.json.inputs[0]: {} cannot be used (it names no \"files\", \"manifest\" or \"cube\")" + example},
             {"[\"no*.csv\"]",
              "study.json.inputs[0].files: no file matches no*.csv (the study would lack its spectra); correct the "
-             "pattern, or leave it out"},
+             "pattern, or name the folder of the data with --data"},
             {"[\"a.csv\", \"?.csv\"]",
              "study.json.inputs: name a.csv twice (its spectra would count twice); leave it out of one of them"},
             {R"(["a.csv", {"manifest": "m.csv"}])",
