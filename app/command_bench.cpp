@@ -35,7 +35,6 @@ int run(const BenchCommand& command, Session& session) {
 
 void add_bench_command(CLI::App& app, Session& session) {
     const auto command = std::make_shared<BenchCommand>();
-    command->output.format = "text";
     CLI::App* const bench = app.add_subcommand("bench", "measure on this machine what a fit costs, by each engine");
     whole_number(bench->add_option("--spectra", command->sizes.spectra, "synthetic, fitted by each engine"), 2, 100'000)
         ->capture_default_str();

@@ -61,7 +61,6 @@ int run(const InspectCommand& command, Session& session) {
 
 void add_inspect_command(CLI::App& app, Session& session) {
     const auto command = std::make_shared<InspectCommand>();
-    command->output.format = "text";
     CLI::App* const inspect =
         app.add_subcommand("inspect", "show what a measured file holds and what is wrong with its spectra");
     inspect->add_option("FILE", command->file, "spectra, in any form that skinfit reads; - is standard input")

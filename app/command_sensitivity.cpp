@@ -57,14 +57,8 @@ void add_sensitivity_command(CLI::App& app, Session& session) {
         ->add_option("--plot", command->plot,
                      "draw value times derivative of the free parameters into this file, .svg, .png or .pdf")
         ->type_name("FILE");
-    sensitivity->add_option("--free", command->free, "draw these parameters too")
-        ->type_name("NAME,NAME")
-        ->expected(1)
-        ->take_all();
-    sensitivity->add_option("--fix", command->fix, "do not draw these parameters")
-        ->type_name("NAME,NAME")
-        ->expected(1)
-        ->take_all();
+    add_names_option(*sensitivity, "--free", command->free, "draw these parameters too");
+    add_names_option(*sensitivity, "--fix", command->fix, "do not draw these parameters");
     add_shared_options(*sensitivity, command->shared, {"csv", "json"});
     add_examples(*sensitivity, {"skinfit sensitivity --wavelengths 400:700:10",
                                 "skinfit sensitivity --relative --plot sensitivity.svg",

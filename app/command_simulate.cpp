@@ -8,6 +8,7 @@
 #include "fit/viewing.hpp"
 #include "fit/wavelength_sets.hpp"
 #include "model/emulator_cache.hpp"
+#include "model/ensemble_cache.hpp"
 
 namespace skinfit {
 namespace {
@@ -47,7 +48,7 @@ std::vector<Reading> walked_readings(const Configuration& configuration, const E
 
 /// At single wavelengths.
 std::vector<Reading> modelled_readings(const Configuration& configuration, const std::vector<double>& wavelengths_nm,
-                                       const EnsembleCache& cache, ProgressLine& line) {
+                                       const DiskCache& cache, ProgressLine& line) {
     check_viewing_cone(resolved(configuration, Spectrum{}));
     const Experiment experiment = make_experiment(configuration, {});
     const std::vector<double> true_nm = true_wavelengths_nm(experiment, wavelengths_nm);
@@ -73,7 +74,7 @@ std::vector<Reading> modelled_readings(const Configuration& configuration, const
             cache));
 }
 
-std::vector<Reading> readings(const Configuration& configuration, const EnsembleCache& cache, ProgressLine& line) {
+std::vector<Reading> readings(const Configuration& configuration, const DiskCache& cache, ProgressLine& line) {
     const std::vector<double> centres_nm = parse_wavelengths(configuration.wavelengths, "wavelengths");
     const BandSampling bands = sample_bands(centres_nm, bandpass_of(resolved(configuration, Spectrum{})));
     return readings_in_bands(modelled_readings(configuration, bands.wavelength_nm, cache, line), bands, centres_nm);

@@ -105,7 +105,7 @@ void add_study_status_command(CLI::App& study, Session& session) {
     const auto status = std::make_shared<StudyResultCommand>();
     CLI::App* const status_app =
         add_study_subcommand(study, status->shared, "status", "count fitted, suspect, rejected, failed and pending");
-    add_study_formats(*status_app, status->shared, {"text", "json"});
+    add_format_option(*status_app, status->shared.format, {"text", "json"});
     add_examples(*status_app, {"skinfit study status configs/study_example.json"},
                  "Exit code 0: every spectrum is fitted; 1: some are not; 2: bad input; 3: internal error.");
     status_app->callback([status, &session] { session.exit_code = status_it(*status, session); });
@@ -150,7 +150,7 @@ void add_study_power_command(CLI::App& study, Session& session) {
         ->capture_default_str();
     power_app->add_option("--plot", power->plot, "draw the detectable differences into this file, .svg, .png or .pdf")
         ->type_name("FILE");
-    add_study_formats(*power_app, power->shared, {"text", "json"});
+    add_format_option(*power_app, power->shared.format, {"text", "json"});
     add_examples(*power_app, {"skinfit study power configs/study_example.json --quantity melanosome_fraction "
                               "--subjects 10,20,50 --plot power.svg"});
     power_app->callback([power, &session] { session.exit_code = power_it(*power, session); });

@@ -21,7 +21,7 @@ struct ValidateCommand {
     std::filesystem::path output = "forward_validation";
     std::filesystem::path shared;
     std::string figures;
-    std::string format = "text";
+    std::string format;
     std::string rays;
     std::string seed;
     int threads = 0;

@@ -33,10 +33,17 @@ void refuse_replacing(const std::string& option, const std::filesystem::path& ou
 }  // namespace
 
 void add_shared_options(CLI::App& command, SharedOptions& options, const std::vector<std::string>& formats) {
-    options.format = formats.front();
+    add_configuration_options(command, options, "melanosome_fraction=0.1");
+    add_format_option(command, options.format, formats);
+    add_out_option(command, options.out);
+    add_threads_option(command, options.threads);
+    add_no_cache_option(command, options.no_cache);
+}
+
+void add_configuration_options(CLI::App& command, SharedOptions& options, const std::string& example) {
     command.add_option("--config", options.config, "JSON file of settings; see `skinfit config show`")
         ->type_name("FILE");
-    command.add_option("--set", options.set, "change one setting or parameter, as in melanosome_fraction=0.1")
+    command.add_option("--set", options.set, "change one setting or parameter, as in " + example)
         ->type_name("KEY=VALUE")
         ->expected(1)
         ->take_all();
@@ -117,7 +124,7 @@ void add_examples(CLI::App& command, const std::vector<std::string>& examples, c
     command.footer(fmt::format("Examples:\n  {}\n\n{}", fmt::join(examples, "\n  "), remark));
 }
 
-EnsembleCache cache_from(const SharedOptions& options, ProgressLine& line) {
+DiskCache cache_from(const SharedOptions& options, ProgressLine& line) {
     return {.folder = options.no_cache ? std::nullopt : default_cache_folder(),
             .warn = [&line](const std::string& text) { line.warn(text); },
             .inform = [&line](const std::string& text) { line.show({.what = text}); }};

@@ -13,7 +13,7 @@
 #include "app/session.hpp"
 #include "fit/configuration.hpp"
 #include "fit/settings.hpp"
-#include "model/ensemble_cache.hpp"
+#include "model/disk_cache.hpp"
 
 namespace skinfit {
 
@@ -69,7 +69,7 @@ inline constexpr const char* exit_codes = "Exit code 0: done; 2: bad input; 3: i
 void add_examples(CLI::App& command, const std::vector<std::string>& examples, const std::string& remark = exit_codes);
 
 /// The cache for recorded walks as the options ask for; its messages go to `line`.
-[[nodiscard]] EnsembleCache cache_from(const SharedOptions& options, ProgressLine& line);
+[[nodiscard]] DiskCache cache_from(const SharedOptions& options, ProgressLine& line);
 
 /// Makes the folder of --output where there is none. Throws InputError where that is no folder that can be written.
 void make_output_folder(const std::filesystem::path& folder);

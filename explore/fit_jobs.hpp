@@ -36,7 +36,7 @@ private:
     struct Job;
     void forget_old();
 
-    EnsembleCache cache_;
+    DiskCache cache_;
     mutable std::mutex mutex_;
     std::mutex drawing_;
     int started_ = 0;

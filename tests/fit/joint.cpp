@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/input_error.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/fit.hpp"
 #include "fit/models.hpp"
@@ -198,12 +197,7 @@ TEST(JointFit, APriorOnWhatSitesHaveOfTheirOwnHoldsForEach) {
 }
 
 std::string refusal(const Configuration& configuration, const std::vector<Spectrum>& spectra) {
-    try {
-        (void)make_problem(configuration, spectra);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return refusal_of([&] { (void)make_problem(configuration, spectra); });
 }
 
 TEST(JointFit, MoreLightThanThereIsIsRefusedBeyondTheNoise) {

@@ -12,7 +12,7 @@ namespace skinfit {
 
 /// Walks and emulators in memory, for many fits that share them. May be used from any thread; a model that two of them
 /// want at once is made once.
-class ModelShelf {
+class ModelCache {
 public:
     /// What is not on the shelf is taken from `cache`.
     explicit ModelShelf(EnsembleCache cache) : cache_(std::move(cache)) {}
@@ -26,7 +26,7 @@ private:
         std::vector<ForwardModel> models;
     };
 
-    EnsembleCache cache_;
+    DiskCache cache_;
     std::mutex mutex_;
     std::map<std::string, std::shared_ptr<Place>> places_;
 };
