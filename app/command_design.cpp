@@ -65,14 +65,8 @@ void add_design_command(CLI::App& app, Session& session) {
     design->add_option("PARAMETER", command->parameter, "what is to be detected, as in bilirubin_g_per_l")->required();
     add_wavelengths_option(*design, command->wavelengths);
     whole_number(design->add_option("--best", command->best, "choose so many of the wavelengths"), 1, 1000);
-    design->add_option("--free", command->free, "these parameters are unknown too")
-        ->type_name("NAME,NAME")
-        ->expected(1)
-        ->take_all();
-    design->add_option("--fix", command->fix, "these parameters are known")
-        ->type_name("NAME,NAME")
-        ->expected(1)
-        ->take_all();
+    add_names_option(*design, "--free", command->free, "these parameters are unknown too");
+    add_names_option(*design, "--fix", command->fix, "these parameters are known");
     add_shared_options(*design, command->shared, {"text", "csv", "json"});
     add_examples(*design,
                  {"skinfit design bilirubin_g_per_l", "skinfit design bilirubin_g_per_l --best 6 --set noise=0.003",

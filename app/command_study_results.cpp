@@ -115,7 +115,7 @@ void add_study_export_command(CLI::App& study, Session& session) {
     const auto exported = std::make_shared<StudyResultCommand>();
     CLI::App* const export_app =
         add_study_subcommand(study, exported->shared, "export", "write the results as a table or as JSON");
-    add_study_formats(*export_app, exported->shared, {"csv", "json"});
+    add_format_option(*export_app, exported->shared.format, {"csv", "json"});
     add_out_option(*export_app, exported->out);
     add_examples(*export_app, {"skinfit study export configs/study_example.json --out results.csv",
                                "skinfit study export configs/study_example.json --format json"});

@@ -47,14 +47,16 @@ void add_configuration_options(CLI::App& command, SharedOptions& options, const 
         ->type_name("KEY=VALUE")
         ->expected(1)
         ->take_all();
-    add_format_option(command, options.format, formats);
-    add_out_option(command, options.out);
-    add_threads_option(command, options.threads);
-    add_no_cache_option(command, options.no_cache);
+}
+
+void add_names_option(CLI::App& command, const std::string& option, std::vector<std::string>& names,
+                      const std::string& meaning) {
+    command.add_option(option, names, meaning)->type_name("NAME,NAME")->expected(1)->take_all();
 }
 
 CLI::Option* add_format_option(CLI::App& command, std::string& format, const std::vector<std::string>& formats,
                                const std::string& meaning) {
+    format = formats.front();
     return one_of(command.add_option("--format", format, meaning), formats)->capture_default_str();
 }
 

@@ -30,7 +30,14 @@ struct SharedOptions {
 /// Adds them to `command`; `formats` are the choices of --format, the first the default.
 void add_shared_options(CLI::App& command, SharedOptions& options, const std::vector<std::string>& formats);
 
-/// Adds --format with its choices, of which the one that `format` already is, is the default.
+/// Adds --config and --set, which is explained by `example`.
+void add_configuration_options(CLI::App& command, SharedOptions& options, const std::string& example);
+
+/// Adds an option that takes names of parameters, several at once or several times.
+void add_names_option(CLI::App& command, const std::string& option, std::vector<std::string>& names,
+                      const std::string& meaning);
+
+/// Adds --format with its choices, of which the first is the default.
 CLI::Option* add_format_option(CLI::App& command, std::string& format, const std::vector<std::string>& formats,
                                const std::string& meaning = "form of the output");
 

@@ -19,11 +19,6 @@ CLI::App* add_study_subcommand(CLI::App& study, StudyOptions& options, const std
     return command;
 }
 
-void add_study_formats(CLI::App& command, StudyOptions& options, const std::vector<std::string>& formats) {
-    options.format = formats.front();
-    add_format_option(command, options.format, formats);
-}
-
 Study study_of(const StudyOptions& options) {
     return read_study(options.study, options.data);
 }

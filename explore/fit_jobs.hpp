@@ -16,7 +16,7 @@ namespace skinfit {
 class FitJobs {
 public:
     /// Fits take their models from `cache`.
-    explicit FitJobs(EnsembleCache cache) : cache_(std::move(cache)) {}
+    explicit FitJobs(DiskCache cache) : cache_(std::move(cache)) {}
 
     /// Starts a fit and returns its name; none while as many run as may at a time. Of the fits that have ended the
     /// latest eight are kept.

@@ -14,8 +14,8 @@ namespace skinfit {
 /// want at once is made once.
 class ModelCache {
 public:
-    /// What is not on the shelf is taken from `cache`.
-    explicit ModelShelf(EnsembleCache cache) : cache_(std::move(cache)) {}
+    /// What is not in memory is taken from `cache`.
+    explicit ModelCache(DiskCache cache) : cache_(std::move(cache)) {}
 
     /// As `make_models`, with what was made for an earlier problem where that fits this one.
     [[nodiscard]] std::vector<ForwardModel> models(const FitProblem& problem, Engine engine);

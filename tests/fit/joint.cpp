@@ -11,6 +11,7 @@
 #include "fit/report.hpp"
 #include "fit/runs_test.hpp"
 #include "tests/fit/synthetic.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/statistics.hpp"
 
 namespace skinfit::test {
