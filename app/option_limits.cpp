@@ -29,7 +29,9 @@ std::string shown_value(const std::string& text) {
 
 [[noreturn]] void refuse(const CLI::Option* option, const std::string& text, const std::string& why,
                          const std::string& remedy) {
-    throw InputError({.where = option->get_name(),
+    // `get_name` has none for an option that the help does not show.
+    const std::vector<std::string>& names = option->get_lnames();
+    throw InputError({.where = names.empty() ? option->get_name() : "--" + names.front(),
                       .problem = fmt::format("{} cannot be used", shown_value(text)),
                       .why = why,
                       .remedy = remedy});

@@ -39,7 +39,7 @@ TEST_F(ConvertRuns, DifferentWavelengthsNeedJson) {
                          {"name": "b", "start": 405, "step": 10, "values": [0.2, 0.4]}])");
     const Outcome refused = run({"convert", "list.json", "--out", "all.csv"});
     EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_NE(refused.err.find("'b' has other wavelengths than 'a'"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("\"b\" has other wavelengths than \"a\""), std::string::npos) << refused.err;
     EXPECT_NE(refused.err.find("--format json"), std::string::npos) << refused.err;
     EXPECT_EQ(run({"convert", "list.json", "--format", "json", "--out", "all"}).exit_code, 0);
     EXPECT_EQ(read_spectra(folder() / "all").spectra[1].wavelength_nm, (std::vector<double>{405, 415}));

@@ -91,7 +91,7 @@ TEST_F(CubeRuns, MistakesAreExplained) {
         return outcome.err;
     };
     EXPECT_EQ(message({"fit", "arm.hdr", "--rectangle", "1,1,2"}),
-              "error: --rectangle: is '1,1,2' (four whole numbers are needed, the last two above 0); give "
+              "error: --rectangle: is \"1,1,2\" (four whole numbers are needed, the last two above 0); give "
               "x,y,width,height in pixels, counted from 0, such as 10,20,5,5\n");
     EXPECT_EQ(message({"inspect", "arm.hdr", "--rectangle", "1,1,4,1"}),
               "error: the rectangle 1,1,4,1: reaches beyond the cube (arm.raw has 4 x 3 pixels); give x,y,width,height "

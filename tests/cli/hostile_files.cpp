@@ -97,9 +97,10 @@ TEST_F(HostileFiles, ThatPromiseMoreThanTheyHold) {
     const std::string layout = "data type = 4\ninterleave = bip\nbyte order = 0\n";
     put("cube.dat", "");
     put("cube.hdr", "ENVI\nsamples = 1000000000000000000\nlines = 1\nbands = 1\n" + layout);
-    expect_message("cube.hdr",
-                   "cube.hdr:2: 'samples' is '1000000000000000000' (it must be a whole number from 1 to 2147483647); "
-                   "correct the header, or export the data in another way");
+    expect_message(
+        "cube.hdr",
+        "cube.hdr:2: \"samples\" is \"1000000000000000000\" (it must be a whole number from 1 to 2147483647); "
+        "correct the header, or export the data in another way");
     put("cube.hdr", "ENVI\nsamples = 1000000000\nlines = 1000000000\nbands = 1\n" + layout);
     expect_message("cube.dat",
                    "cube.dat: has 0 bytes (its header promises 4000000000000000000); copy the file again if it is cut "

@@ -51,7 +51,7 @@ TEST_F(InspectRuns, DrawThePictureAskedFor) {
     EXPECT_NE(read_file(folder() / "spectra.svg").find("<svg"), std::string::npos);
     const Outcome outcome = run({"inspect", specimen, "--plot", "spectra.bmp"});
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_NE(outcome.err.find("unknown suffix '.bmp' of a plot"), std::string::npos);
+    EXPECT_NE(outcome.err.find("unknown suffix \".bmp\" of a plot"), std::string::npos);
 }
 
 TEST_F(InspectRuns, TheUnitAndTheReaderCanBeStated) {

@@ -67,7 +67,7 @@ TEST_F(SensitivityRuns, ThePlotNamesTheFreeParameters) {
 }
 
 TEST_F(SensitivityRuns, RefusalsNameTheCause) {
-    expect_refusal({"sensitivity", "--wavelengths", "550", "--plot", "a.jpg"}, "unknown suffix '.jpg'");
+    expect_refusal({"sensitivity", "--wavelengths", "550", "--plot", "a.jpg"}, "unknown suffix \".jpg\"");
     expect_refusal({"sensitivity", "--wavelengths", "550", "--plot", "missing/a.svg"}, "cannot be written");
     expect_refusal({"sensitivity", "--wavelengths", "900"}, "900");
     expect_refusal({"sensitivity", "--quantity", "colour"}, "--quantity");
