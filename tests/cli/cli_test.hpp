@@ -28,6 +28,14 @@ protected:
         return run_skinfit(arguments, folder_, where);
     }
 
+    /// Expects a refusal of bad input that says `what`, and no output.
+    void expect_refusal(const std::vector<std::string>& arguments, const std::string& what) const {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_NE(outcome.err.find(what), std::string::npos) << outcome.err;
+    }
+
     [[nodiscard]] std::filesystem::path folder() const { return folder_; }
 
     /// Writes a file into the folder of the test.

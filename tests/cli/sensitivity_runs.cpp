@@ -18,14 +18,6 @@ protected:
         EXPECT_EQ(outcome.err, "");
         return outcome.out;
     }
-
-    /// Expects a refusal of bad input that says `what`, and no output.
-    void expect_refusal(const Arguments& arguments, const std::string& what) const {
-        const Outcome outcome = run(arguments);
-        EXPECT_EQ(outcome.exit_code, 2);
-        EXPECT_EQ(outcome.out, "");
-        EXPECT_NE(outcome.err.find(what), std::string::npos) << outcome.err;
-    }
 };
 
 TEST_F(SensitivityRuns, CsvAndJsonHoldTheSameNumbers) {

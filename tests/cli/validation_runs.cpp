@@ -11,14 +11,6 @@ using Json = nlohmann::ordered_json;
 class ValidationRuns : public CliTest {
 protected:
     [[nodiscard]] bool exists(const std::string& name) const { return std::filesystem::exists(folder() / name); }
-
-    /// Expects a refusal of bad input that says `what`, and no output.
-    void expect_refusal(const Arguments& arguments, const std::string& what) const {
-        const Outcome outcome = run(arguments);
-        EXPECT_EQ(outcome.exit_code, 2);
-        EXPECT_EQ(outcome.out, "");
-        EXPECT_NE(outcome.err.find(what), std::string::npos) << outcome.err;
-    }
 };
 
 TEST_F(ValidationRuns, AFigureIsATableTwoPicturesAndVerdictsInAnyFolder) {

@@ -11,23 +11,14 @@
 #include <string>
 
 #include "core/input_error.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace skinfit {
 namespace {
 
 using FileTest = test::TemporaryFolder;
-
-/// The message of the InputError that `action` throws, or nothing.
-template <typename Action>
-std::string refusal(Action action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return {};
-}
+using test::refusal_of;
 
 TEST_F(FileTest, ReadsBackTheBytesWritten) {
     std::string every_byte;
@@ -56,7 +47,7 @@ TEST_F(FileTest, GivesAFileThePermissionsOfTheMask) {
 
 TEST_F(FileTest, RefusesToWriteIntoAMissingFolder) {
     const std::filesystem::path path = in_folder("missing") / "a";
-    const std::string message = refusal([&] { write_file_atomically(path, "x"); });
+    const std::string message = refusal_of([&] { write_file_atomically(path, "x"); });
     EXPECT_TRUE(message.starts_with(path.string() + ": cannot be written (No such file or directory)")) << message;
     EXPECT_EQ(entries(), 0);
 }
@@ -64,7 +55,7 @@ TEST_F(FileTest, RefusesToWriteIntoAMissingFolder) {
 TEST_F(FileTest, RefusesToReplaceAFolder) {
     std::filesystem::create_directory(in_folder("target"));
     write_file_atomically(in_folder("target") / "inside", "kept");
-    const std::string message = refusal([&] { write_file_atomically(in_folder("target"), "x"); });
+    const std::string message = refusal_of([&] { write_file_atomically(in_folder("target"), "x"); });
     EXPECT_NE(message.find("(Is a directory)"), std::string::npos) << message;
     EXPECT_EQ(read_file(in_folder("target") / "inside"), "kept");
     EXPECT_EQ(entries(), 1);
@@ -75,7 +66,7 @@ TEST_F(FileTest, KeepsTheOldFileWhenTheFolderIsReadOnly) {
     write_file_atomically(in_folder("a"), "old");
     const std::filesystem::path folder = in_folder("a").parent_path();
     std::filesystem::permissions(folder, std::filesystem::perms{0500});
-    const std::string message = refusal([&] { write_file_atomically(in_folder("a"), "new"); });
+    const std::string message = refusal_of([&] { write_file_atomically(in_folder("a"), "new"); });
     std::filesystem::permissions(folder, std::filesystem::perms{0700});
     EXPECT_NE(message.find("(Permission denied)"), std::string::npos) << message;
     EXPECT_EQ(read_file(in_folder("a")), "old");
@@ -107,7 +98,7 @@ TEST_F(FileTest, AReplacementBeyondTheLimitOfFilesIsReportedAndRemoved) {
     const struct rlimit small { .rlim_cur = 4096, .rlim_max = before.rlim_max };
     const auto signal_before = std::signal(SIGXFSZ, SIG_IGN);
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
-    const std::string message = refusal([&] {
+    const std::string message = refusal_of([&] {
         FileReplacement file(in_folder("a"));
         for (int i = 0; i < 10; ++i) file.append(std::string(1000, 'x'));
     });
@@ -119,7 +110,7 @@ TEST_F(FileTest, AReplacementBeyondTheLimitOfFilesIsReportedAndRemoved) {
 
 TEST_F(FileTest, ReportsAFullDisk) {
     if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "/dev/full is absent";
-    const std::string message = refusal([] { write_file_atomically("/dev/full", "x"); });
+    const std::string message = refusal_of([] { write_file_atomically("/dev/full", "x"); });
     EXPECT_NE(message.find("(No space left on device)"), std::string::npos) << message;
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
 }
@@ -142,29 +133,29 @@ TEST_F(FileTest, WritesToADescriptorThatTheShellSentToAFile) {
 }
 
 TEST_F(FileTest, ReadRefusalsNameThePathAndTheReason) {
-    const std::string missing = refusal([&] { (void)read_file(in_folder("missing")); });
+    const std::string missing = refusal_of([&] { (void)read_file(in_folder("missing")); });
     EXPECT_TRUE(missing.starts_with(in_folder("missing").string() + ": cannot be read (No such file or directory)"))
         << missing;
-    const std::string folder = refusal([&] { (void)read_file(in_folder("")); });
+    const std::string folder = refusal_of([&] { (void)read_file(in_folder("")); });
     EXPECT_NE(folder.find("is a folder"), std::string::npos) << folder;
     for (const std::string& message : {missing, folder}) EXPECT_EQ(message.find('\n'), std::string::npos);
 }
 
 TEST_F(FileTest, ReadsOrdinaryFilesOnly) {
     ASSERT_EQ(::mkfifo(in_folder("pipe").c_str(), 0600), 0);
-    EXPECT_EQ(refusal([&] { (void)read_file(in_folder("pipe")); }),
+    EXPECT_EQ(refusal_of([&] { (void)read_file(in_folder("pipe")); }),
               in_folder("pipe").string() +
                   ": is a pipe or a device (an ordinary file is needed here); write its content to a file first");
-    EXPECT_NE(refusal([&] { (void)read_file("/dev/zero"); }).find("is a pipe or a device"), std::string::npos);
+    EXPECT_NE(refusal_of([&] { (void)read_file("/dev/zero"); }).find("is a pipe or a device"), std::string::npos);
     std::filesystem::create_symlink("loop", in_folder("loop"));
-    EXPECT_NE(refusal([&] { (void)read_file(in_folder("loop")); }).find("(Too many levels of symbolic links)"),
+    EXPECT_NE(refusal_of([&] { (void)read_file(in_folder("loop")); }).find("(Too many levels of symbolic links)"),
               std::string::npos);
 }
 
 TEST_F(FileTest, RefusesFilesAboveItsLimitWithoutReadingThem) {
     write_file_atomically(in_folder("large"), "");
     std::filesystem::resize_file(in_folder("large"), largest_file_bytes + 1);  // a hole: no disk is used
-    EXPECT_EQ(refusal([&] { (void)read_file(in_folder("large")); }),
+    EXPECT_EQ(refusal_of([&] { (void)read_file(in_folder("large")); }),
               in_folder("large").string() + ": is too large (at most 2 GiB are read at once); split it");
 }
 
@@ -179,7 +170,7 @@ TEST_F(FileTest, MakesAFolderAndThoseAboveItOrSaysWhyNot) {
     make_folder(folder, "--output");
     EXPECT_TRUE(std::filesystem::is_directory(folder));
     write_file_atomically(folder / "file", "x");
-    const std::string message = refusal([&] { make_folder(folder / "file", "--output"); });
+    const std::string message = refusal_of([&] { make_folder(folder / "file", "--output"); });
     EXPECT_TRUE(message.starts_with("--output: no folder that can be written (")) << message;
 }
 

@@ -118,7 +118,7 @@ TEST(HostileRequests, FiveHundredASecondForTenSecondsNeitherCrashNorLeak) {
     constexpr int clients = 4;
     constexpr auto spacing = std::chrono::milliseconds(8);  // of each: 500 a second together
     constexpr auto lasting = std::chrono::seconds(10);
-    Api api(EnsembleCache{.folder = std::nullopt, .warn = {}, .inform = {}}, std::nullopt);
+    Api api(DiskCache{.folder = std::nullopt, .warn = {}, .inform = {}}, std::nullopt);
     Server server(api, 0);
     std::thread serving([&server] { server.run(); });
     std::atomic<std::size_t> requests = 0;

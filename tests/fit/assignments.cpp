@@ -1,18 +1,13 @@
 #include <gtest/gtest.h>
 
-#include "core/input_error.hpp"
 #include "fit/configuration_json.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace skinfit::test {
 namespace {
 
 std::string assignment_refusal(const std::string& assignment) {
-    try {
-        (void)configured_by_assignment(default_configuration(), assignment);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return refusal_of([&] { (void)configured_by_assignment(default_configuration(), assignment); });
 }
 
 Configuration assigned(const std::string& assignment) {

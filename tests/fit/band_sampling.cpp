@@ -155,7 +155,7 @@ TEST_P(Engines, AZeroWidthChangesNoBitAndAWidthConvolvesReadingsAndDerivatives) 
     const FitProblem single = problem_with(GetParam(), std::nullopt);
     const FitProblem zero = problem_with(GetParam(), 0.0);
     const FitProblem wide = problem_with(GetParam(), 10.0);
-    const EnsembleCache no_cache{
+    const DiskCache no_cache{
         .folder = std::nullopt, .warn = [](const std::string&) {}, .inform = [](const std::string&) {}};
     const Objective of_single(single, make_models(single, GetParam(), no_cache));
     const Objective of_zero(zero, make_models(zero, GetParam(), no_cache));

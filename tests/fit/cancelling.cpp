@@ -46,7 +46,7 @@ protected:
         return configuration;
     }
 
-    EnsembleCache cache_;
+    DiskCache cache_;
 };
 
 TEST_F(Cancelling, EndsTheMakingOfAModelAndKeepsNoPartOfIt) {
@@ -93,7 +93,7 @@ TEST_F(Cancelling, LeavesACacheFromWhichTheNextFitStartsAsFromAnEmptyOne) {
         quick.engine = slow.engine;
         const Spectrum spectrum = ramp(20);
         std::stop_source stop;
-        EnsembleCache cancelled = cache_;
+        DiskCache cancelled = cache_;
         cancelled.inform = [&](const std::string&) { stop.request_stop(); };
         EXPECT_THROW((void)fit_spectrum(quick, spectrum, {.cache = cancelled, .watch = {.stop = stop.get_token()}}),
                      Cancelled);

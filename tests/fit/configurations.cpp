@@ -6,8 +6,8 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
-#include "core/input_error.hpp"
 #include "fit/configuration_json.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace skinfit::test {
 namespace {
@@ -29,12 +29,7 @@ Configuration loaded(const std::string& text) {
 
 /// The message with which the loader refuses `text`; empty where it does not.
 std::string refusal(const std::string& text) {
-    try {
-        (void)loaded(text);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return refusal_of([&] { (void)loaded(text); });
 }
 
 /// Everything different from its default.

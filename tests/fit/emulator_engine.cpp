@@ -16,13 +16,7 @@ namespace skinfit::test {
 namespace {
 
 Configuration emulator_configuration(const std::vector<Parameter>& free) {
-    Configuration configuration = with_free(default_configuration(), free);
-    configuration.engine = Engine::emulator;
-    configuration.incidence_deg = 30;
-    configuration.specular = Specular::excluded;
-    configuration.quantity = Quantity::reflectance;
-    configuration.values.instrument = {.scale = 1.1, .offset = 0.01, .specular_fraction = 0.3};
-    return configuration;
+    return tilted(default_configuration(), Engine::emulator, free);
 }
 
 const std::vector<Parameter> pigments = {Parameter::melanosome_fraction, Parameter::papillary_blood_fraction,
@@ -68,6 +62,7 @@ TEST(EmulatorEngine, ObjectiveJacobianEqualsDifferences) {
     const Emulator emulator = Emulator::build(emulator_domain(problem));
     const Objective objective(problem, emulator);
     const std::vector<double> values = starts(problem);
+    const auto reading = [&](const std::vector<double>& point) { return objective.model(point).reading; };
     const Objective::Modelled at = objective.model(values);
     const LeanModel::Modelled lean = LeanModel(problem, emulator).at(to_unit_box(problem, values));
     const std::vector<double> slopes = unit_box_slopes(problem, to_unit_box(problem, values));
@@ -75,15 +70,8 @@ TEST(EmulatorEngine, ObjectiveJacobianEqualsDifferences) {
         SCOPED_TRACE(info(problem.free[i].parameter).name);
         const auto column = static_cast<Eigen::Index>(i);
         const double step = 1e-3 * values[i];
-        const auto central = [&](double h) {
-            std::vector<double> above = values;
-            std::vector<double> below = values;
-            above[i] += h;
-            below[i] -= h;
-            return Eigen::VectorXd((objective.model(above).reading - objective.model(below).reading) / (2.0 * h));
-        };
-        const Eigen::VectorXd fine = central(step);
-        const Eigen::VectorXd coarse = central(2.0 * step);
+        const Eigen::VectorXd fine = central_difference(reading, values, i, step);
+        const Eigen::VectorXd coarse = central_difference(reading, values, i, 2.0 * step);
         // The truncation error of a central difference is a third of its change when the step doubles.
         const double error = (coarse - fine).cwiseAbs().maxCoeff() + 1e-13 / step;
         EXPECT_LE((fine - at.jacobian.col(column)).cwiseAbs().maxCoeff(), error);

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <limits>
 
-#include "core/input_error.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/fit.hpp"
 #include "tests/fit/synthetic.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace skinfit::test {
 namespace {
@@ -47,14 +47,8 @@ TEST(InverseProblem, MisfitHasTheDerivativesOfItsResidualsWhateverIsStated) {
     ASSERT_EQ(misfit.residual.size(), 28 + 5);
     for (std::size_t i = 0; i < values.size(); ++i) {
         SCOPED_TRACE(info(task.problem.free[i].parameter).name);
-        const auto central = [&](double h) {
-            std::vector<double> above = values;
-            std::vector<double> below = values;
-            above[i] += h;
-            below[i] -= h;
-            return Eigen::VectorXd((task.objective.misfit(above).residual - task.objective.misfit(below).residual) /
-                                   (above[i] - below[i]));
-        };
+        const auto residual = [&](const std::vector<double>& point) { return task.objective.misfit(point).residual; };
+        const auto central = [&](double h) { return central_difference(residual, values, i, h); };
         const double h = 1e-2 * values[i];
         const Eigen::VectorXd coarse = (4.0 * central(h / 2) - central(h)) / 3.0;
         const Eigen::VectorXd fine = (16.0 * (4.0 * central(h / 4) - central(h / 2)) / 3.0 - coarse) / 15.0;
@@ -143,12 +137,7 @@ TEST(InverseProblem, DegreesOfFreedomCountWhatTheDataDetermine) {
 
 /// The message with which a problem is refused; empty where it is not.
 std::string refusal(const std::string& text, const Spectrum& spectrum) {
-    try {
-        (void)make_problem(resolved(stated(text), spectrum), spectrum);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return refusal_of([&] { (void)make_problem(resolved(stated(text), spectrum), spectrum); });
 }
 
 TEST(InverseProblem, ContradictionsAreRefused) {

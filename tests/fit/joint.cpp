@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 
-#include "core/input_error.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/fit.hpp"
 #include "fit/models.hpp"
 #include "fit/report.hpp"
 #include "tests/fit/synthetic.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace skinfit::test {
 namespace {
@@ -157,12 +157,7 @@ TEST(JointFit, APriorOnWhatSitesHaveOfTheirOwnHoldsForEach) {
 }
 
 std::string refusal(const Configuration& configuration, const std::vector<Spectrum>& spectra) {
-    try {
-        (void)make_problem(configuration, spectra);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return refusal_of([&] { (void)make_problem(configuration, spectra); });
 }
 
 TEST(JointFit, MoreLightThanThereIsIsRefusedBeyondTheNoise) {

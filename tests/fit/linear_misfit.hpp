@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 
 #include "fit/box_misfit.hpp"
+#include "fit/profile.hpp"
 
 /// What tests of profiles have in common.
 namespace skinfit::test {
@@ -17,5 +18,13 @@ inline BoxMisfit linear(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& 
         return Misfit{.residual = jacobian * (position - centre), .jacobian = jacobian};
     };
 }
+
+/// A linear model of two parameters, measured four times, that lie far inside their bounds.
+struct LinearExample {
+    Eigen::MatrixXd jacobian{{100, 20}, {30, 80}, {-10, 50}, {60, 60}};
+    Eigen::VectorXd centre{{0.4, 0.6}};
+    Eigen::MatrixXd covariance = (jacobian.transpose() * jacobian).inverse();
+    Profile profile = profile_intervals(linear(jacobian, centre), centre);
+};
 
 }  // namespace skinfit::test

@@ -48,14 +48,8 @@ struct Differences {
 Differences differences(const Task& task, const std::vector<double>& values, std::size_t i) {
     const Bounds& bounds = task.problem.free[i].bounds;
     const double step = 1e-2 * std::min(bounds.upper - bounds.lower, std::abs(values[i]));
-    const auto central = [&](double h) {
-        std::vector<double> above = values;
-        std::vector<double> below = values;
-        above[i] += h;
-        below[i] -= h;
-        return Eigen::VectorXd((task.objective.model(above).reading - task.objective.model(below).reading) /
-                               (above[i] - below[i]));
-    };
+    const auto reading = [&](const std::vector<double>& point) { return task.objective.model(point).reading; };
+    const auto central = [&](double h) { return central_difference(reading, values, i, h); };
     const Eigen::VectorXd d1 = central(step);
     const Eigen::VectorXd d2 = central(step / 2);
     const Eigen::VectorXd d4 = central(step / 4);

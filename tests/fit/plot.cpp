@@ -7,6 +7,7 @@
 
 #include "core/file.hpp"
 #include "core/input_error.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace skinfit {
@@ -16,12 +17,7 @@ using PlotTest = test::TemporaryFolder;
 
 /// The message of the InputError that drawing `plot` at `path` throws, or nothing.
 std::string refusal(const Plot& plot, const std::filesystem::path& path) {
-    try {
-        draw(plot, path);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return {};
+    return test::refusal_of([&] { draw(plot, path); });
 }
 
 const Plot example = {.title = "a `date` title's \"$HOME\" \\n",

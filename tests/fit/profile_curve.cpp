@@ -51,12 +51,10 @@ void expect_profile(const ProfileInterval& interval, const Bounds& bounds) {
 }
 
 TEST(ProfileCurve, OfALinearModelIsTheParabolaOfItsCovariance) {
-    MatrixXd jacobian(4, 2);
-    jacobian << 100, 20, 30, 80, -10, 50, 60, 60;
-    VectorXd centre(2);
-    centre << 0.4, 0.6;
-    const Profile profile = profile_intervals(linear(jacobian, centre), centre);
-    const MatrixXd covariance = (jacobian.transpose() * jacobian).inverse();
+    const LinearExample example;
+    const VectorXd& centre = example.centre;
+    const MatrixXd& covariance = example.covariance;
+    const Profile& profile = example.profile;
     for (Eigen::Index i = 0; i < 2; ++i) {
         const ProfileInterval& found = profile.intervals[static_cast<std::size_t>(i)];
         expect_profile(found, {0.0, 1.0});

@@ -14,7 +14,7 @@ FitResult fitted(const std::string& specimen, const std::string& also_free) {
     Configuration configuration = default_configuration();
     if (!also_free.empty()) configuration = with_freedom(configuration, also_free, true, "test");
     const Spectrum spectrum = read_spectrum(std::filesystem::path(SKINFIT_SOURCE_DIR) / "measurements/data" / specimen);
-    const EnsembleCache no_cache{
+    const DiskCache no_cache{
         .folder = std::nullopt, .warn = [](const std::string&) {}, .inform = [](const std::string&) {}};
     return fit_spectrum(configuration, spectrum, {.cross_check = false, .cache = no_cache});
 }

@@ -12,13 +12,7 @@ namespace skinfit::test {
 namespace {
 
 Configuration solver_configuration(const std::vector<Parameter>& free) {
-    Configuration configuration = with_free(quick_configuration(), free);
-    configuration.engine = Engine::solver;
-    configuration.incidence_deg = 30;
-    configuration.specular = Specular::excluded;
-    configuration.quantity = Quantity::reflectance;
-    configuration.values.instrument = {.scale = 1.1, .offset = 0.01, .specular_fraction = 0.3};
-    return configuration;
+    return tilted(quick_configuration(), Engine::solver, free);
 }
 
 Spectrum spectrum_of(const std::vector<Reading>& readings) {
@@ -49,19 +43,13 @@ TEST(SolverEngine, JacobianEqualsDifferencesForParametersThatSteer) {
     const Objective objective(problem, AngularSolver(problem.only().experiment.sample(),
                                                      {.incidence_rad = problem.only().experiment.incidence_rad}));
     const std::vector<double> values = starts(problem);
+    const auto reading = [&](const std::vector<double>& point) { return objective.model(point).reading; };
     const Eigen::MatrixXd jacobian = objective.model(values).jacobian;
     for (std::size_t i = 0; i < free.size(); ++i) {
         SCOPED_TRACE(info(free[i]).name);
-        const auto central = [&](double h) {
-            std::vector<double> above = values;
-            std::vector<double> below = values;
-            above[i] += h;
-            below[i] -= h;
-            return Eigen::VectorXd((objective.model(above).reading - objective.model(below).reading) / (2.0 * h));
-        };
         const double step = 1e-3 * values[i];
-        const Eigen::VectorXd coarse = central(step);
-        const Eigen::VectorXd fine = central(step / 2);
+        const Eigen::VectorXd coarse = central_difference(reading, values, i, step);
+        const Eigen::VectorXd fine = central_difference(reading, values, i, step / 2);
         const Eigen::VectorXd extrapolated = (4.0 * fine - coarse) / 3.0;
         // What the extrapolation changes bounds its error; rounding of a reading is far below 1e-13.
         const double error = (extrapolated - fine).cwiseAbs().maxCoeff() + 2e-13 / step;

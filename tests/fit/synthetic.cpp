@@ -30,6 +30,25 @@ Configuration with_free(Configuration configuration, const std::vector<Parameter
     return configuration;
 }
 
+Configuration tilted(const Configuration& configuration, Engine engine, const std::vector<Parameter>& free) {
+    Configuration changed = with_free(configuration, free);
+    changed.engine = engine;
+    changed.incidence_deg = 30;
+    changed.specular = Specular::excluded;
+    changed.quantity = Quantity::reflectance;
+    changed.values.instrument = {.scale = 1.1, .offset = 0.01, .specular_fraction = 0.3};
+    return changed;
+}
+
+Configuration inner_truth(double noise) {
+    Configuration truth = quick_configuration();
+    truth.values.skin.bilirubin_g_per_l = 1.0;
+    truth.values.skin.papillary_blood_fraction = 0.03;
+    truth.values.skin.oxygen_saturation = 0.6;
+    truth.noise = noise;
+    return truth;
+}
+
 std::vector<double> grid_nm(double first, double last, double step) {
     std::vector<double> grid;
     for (int i = 0; first + i * step <= last; ++i) grid.push_back(first + i * step);
@@ -54,7 +73,7 @@ Spectrum modelled_spectrum(const Configuration& truth, const std::vector<double>
     return spectrum;
 }
 
-EnsembleCache no_cache() {
+DiskCache no_cache() {
     return {.folder = std::nullopt, .warn = [](const std::string&) {}, .inform = [](const std::string&) {}};
 }
 

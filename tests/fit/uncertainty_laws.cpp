@@ -11,22 +11,12 @@
 namespace skinfit::test {
 namespace {
 
-/// Free enough of its bounds that no parameter ends there.
-Configuration inner_truth() {
-    Configuration truth = quick_configuration();
-    truth.values.skin.bilirubin_g_per_l = 1.0;
-    truth.values.skin.papillary_blood_fraction = 0.03;
-    truth.values.skin.oxygen_saturation = 0.6;
-    truth.noise = 0.001;
-    return truth;
-}
-
 Minimum at(std::vector<double> values) {
     return {.values = std::move(values), .chi2 = 0.0, .evaluations = 0, .converged = true, .termination = ""};
 }
 
 TEST(Uncertainty, IsTheInverseOfTheNormalMatrix) {
-    const Configuration truth = inner_truth();
+    const Configuration truth = inner_truth(0.001);
     const Task task(truth, modelled_spectrum(truth, grid_nm(400, 700, 10)));
     const Minimum minimum = at(starts(task.problem));
     const Uncertainty uncertainty = estimate_uncertainty(task.objective, minimum);
@@ -51,7 +41,7 @@ TEST(Uncertainty, IsTheInverseOfTheNormalMatrix) {
 }
 
 TEST(Uncertainty, ScalesWithTheNoise) {
-    Configuration truth = inner_truth();
+    Configuration truth = inner_truth(0.001);
     const Spectrum spectrum = modelled_spectrum(truth, grid_nm(400, 700, 10));
     const Task task(truth, spectrum);
     truth.noise *= 0.5;
@@ -67,7 +57,7 @@ TEST(Uncertainty, ScalesWithTheNoise) {
 }
 
 TEST(Uncertainty, IntervalIs196SigmaCutAtTheBounds) {
-    const Configuration truth = inner_truth();
+    const Configuration truth = inner_truth(0.001);
     const Task task(truth, modelled_spectrum(truth, grid_nm(400, 700, 10)));
     const Minimum minimum = at(starts(task.problem));
     const Uncertainty uncertainty = estimate_uncertainty(task.objective, minimum);
@@ -135,7 +125,7 @@ struct Pushed {
 constexpr std::size_t bilirubin = 4;  // position among the five free parameters
 
 Pushed pushed_below_zero(double noise) {
-    Configuration truth = inner_truth();
+    Configuration truth = inner_truth(0.001);
     truth.values.skin.bilirubin_g_per_l = 0.0;
     truth.noise = noise;
     Pushed pushed{truth, modelled_spectrum(truth, grid_nm(400, 700, 20))};
@@ -196,7 +186,7 @@ TEST(Uncertainty, AtTheOneSidedLimitChi2HasRisenBy271AsNoiseFalls) {
 }
 
 TEST(Uncertainty, UpperBoundsWorkLikeLowerOnes) {
-    Configuration truth = inner_truth();
+    Configuration truth = inner_truth(0.001);
     truth.values.skin.oxygen_saturation = 1.0;
     Spectrum spectrum = modelled_spectrum(truth, grid_nm(400, 700, 10));
     {

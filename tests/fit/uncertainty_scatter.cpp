@@ -11,16 +11,6 @@
 namespace skinfit::test {
 namespace {
 
-/// Inside its bounds by many sigmas, so that no fit ends at one.
-Configuration inner_truth() {
-    Configuration truth = quick_configuration();
-    truth.values.skin.bilirubin_g_per_l = 1.0;
-    truth.values.skin.papillary_blood_fraction = 0.03;
-    truth.values.skin.oxygen_saturation = 0.6;
-    truth.noise = 0.0005;
-    return truth;
-}
-
 /// The smaller tail of a chi-square statistic, doubled: too much and too little scatter both show.
 double two_tailed(double statistic, double degrees_of_freedom) {
     const double upper = chi_square_p_value(statistic, degrees_of_freedom);
@@ -40,7 +30,7 @@ Eigen::VectorXd as_vector(const std::vector<double>& values) {
 }
 
 TEST(UncertaintyScatter, SigmaIsTheScatterOfFitsToNoisySpectra) {
-    const Configuration truth = inner_truth();
+    const Configuration truth = inner_truth(0.0005);
     Task task(truth, modelled_spectrum(truth, grid_nm(400, 700, 20)));
     const std::vector<double> clean = task.problem.only().measured;
     const std::vector<double> true_values = starts(task.problem);
@@ -70,7 +60,7 @@ TEST(UncertaintyScatter, SigmaIsTheScatterOfFitsToNoisySpectra) {
 
 TEST(UncertaintyScatter, MonteCarloSigmaIsTheScatterOfFitsOverSeeds) {
     Configuration configuration =
-        with_free(inner_truth(),
+        with_free(inner_truth(0.0005),
                   {Parameter::melanosome_fraction, Parameter::papillary_blood_fraction, Parameter::oxygen_saturation});
     const Spectrum spectrum = modelled_spectrum(configuration, grid_nm(400, 700, 20));
     constexpr int seeds = 80;

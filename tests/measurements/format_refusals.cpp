@@ -3,6 +3,7 @@
 #include "core/input_error.hpp"
 #include "measurements/limits.hpp"
 #include "measurements/spectrum_file.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace skinfit {
 namespace {
@@ -13,12 +14,7 @@ struct Refusal {
 };
 
 std::string message_of(const std::string& text) {
-    try {
-        (void)parse_spectra(text, "f");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return test::refusal_of([&] { (void)parse_spectra(text, "f"); });
 }
 
 void expect_messages(const std::vector<Refusal>& refusals) {

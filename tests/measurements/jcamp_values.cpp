@@ -6,6 +6,7 @@
 
 #include "core/input_error.hpp"
 #include "measurements/spectrum_file.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace skinfit {
 namespace {
@@ -51,12 +52,7 @@ std::string block(const std::string& title, const std::string& data, const std::
 }
 
 std::string refusal(const std::string& text) {
-    try {
-        (void)parse_spectra(text, "f.jdx");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return test::refusal_of([&] { (void)parse_spectra(text, "f.jdx"); });
 }
 
 TEST(JcampDx, ALineOfDifferencesIsCheckedByTheNext) {

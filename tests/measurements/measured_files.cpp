@@ -6,10 +6,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/input_error.hpp"
 #include "measurements/spectrum_file.hpp"
 #include "measurements/spectrum_writer.hpp"
 #include "measurements/text_reader.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace skinfit {
 namespace {
@@ -18,12 +18,7 @@ const std::filesystem::path root = SKINFIT_SOURCE_DIR;
 const std::filesystem::path shared_spectra = root / "../shared/spectra";
 
 std::string refusal(const std::string& file, const std::optional<std::string>& column = std::nullopt) {
-    try {
-        (void)read_spectrum(shared_spectra / file, {.column = column});
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return test::refusal_of([&] { (void)read_spectrum(shared_spectra / file, {.column = column}); });
 }
 
 TEST(ShippedSpecimens, AreReadWithTheirGeometry) {

@@ -1,8 +1,7 @@
 #include "measurements/response.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <gtest/gtest.h>
-
-#include "core/input_error.hpp"
 
 namespace skinfit {
 namespace {
@@ -27,12 +26,7 @@ TEST(Response, OnePointIsOneWavelength) {
 
 TEST(Response, WhatIsNoResponseIsRefusedWithItsLine) {
     const auto message = [](const char* text) -> std::string {
-        try {
-            (void)parse_response(text, "f.csv");
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "";
+        return test::refusal_of([&] { (void)parse_response(text, "f.csv"); });
     };
     EXPECT_EQ(
         message("500,1\n400,2\n"),

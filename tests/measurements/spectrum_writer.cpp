@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <random>
 
-#include "core/input_error.hpp"
 #include "measurements/spectrum_file.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace skinfit {
 namespace {
@@ -68,12 +68,7 @@ void expect_round_trip(const std::vector<Spectrum>& spectra, const std::string& 
 }
 
 std::string refusal(const std::vector<Spectrum>& spectra) {
-    try {
-        (void)spectra_csv(spectra, "f");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return test::refusal_of([&] { (void)spectra_csv(spectra, "f"); });
 }
 
 TEST(SpectrumWriter, OneSpectrumReadsBackToTheLastBit) {

@@ -3,6 +3,7 @@
 
 #include "core/input_error.hpp"
 #include "measurements/text_reader.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace skinfit {
 namespace {
@@ -14,12 +15,7 @@ Spectrum chosen(const std::string& text, const std::string& column) {
 }
 
 std::string refusal(const std::string& text, const std::optional<std::string>& column) {
-    try {
-        (void)parse_spectrum(text, "a.csv", {.column = column});
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return test::refusal_of([&] { (void)parse_spectrum(text, "a.csv", {.column = column}); });
 }
 
 const std::string wide = "nm,left,right,left_sigma,2\n400,0.1,0.2,0.01,0.3\n";

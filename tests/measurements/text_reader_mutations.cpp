@@ -7,6 +7,7 @@
 
 #include "core/input_error.hpp"
 #include "measurements/text_reader.hpp"
+#include "tests/support/mutants.hpp"
 
 namespace skinfit {
 namespace {
@@ -19,26 +20,7 @@ const std::vector<std::string> valid_texts{
     "nm\tleft\tleft_sigma\tright\r500\t+0.5\t0.01\t\r490\t0.4\t0.02\tNaN\r",
 };
 
-/// One byte deleted, up to 30 doubled (so that lines repeat), or one replaced by any byte or by one of the grammar's.
-std::string mutated(std::string text, std::mt19937_64& random) {
-    constexpr std::string_view marks = "\n\r\t ,;.#\":+-eE0%\\";
-    if (text.empty()) return text;
-    const std::size_t at = random() % text.size();
-    switch (random() % 4) {
-        case 0:
-            text.erase(at, 1);
-            break;
-        case 1:
-            text.insert(at, text.substr(at, 1 + random() % 30));
-            break;
-        case 2:
-            text[at] = static_cast<char>(random() % 256);
-            break;
-        default:
-            text[at] = marks[random() % marks.size()];
-    }
-    return text;
-}
+constexpr std::string_view marks = "\n\r\t ,;.#\":+-eE0%\\";
 
 void expect_invariants(const Spectrum& spectrum) {
     const std::size_t size = spectrum.wavelength_nm.size();
@@ -63,7 +45,8 @@ TEST(TextReader, ReadsOrRefusesEveryMutantOfAValidText) {
     int read = 0;
     for (int i = 0; i < mutants && !testing::Test::HasFailure(); ++i) {
         std::string text = valid_texts[random() % valid_texts.size()];
-        for (std::uint64_t changes = 1 + random() % 3; changes > 0; --changes) text = mutated(text, random);
+        for (std::uint64_t changes = 1 + random() % 3; changes > 0; --changes)
+            text = test::mutated(text, marks, random);
         SCOPED_TRACE(testing::PrintToString(text));
         try {
             const std::optional<std::string> column =

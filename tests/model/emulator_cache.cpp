@@ -1,7 +1,6 @@
 #include "model/emulator_cache.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -11,31 +10,16 @@
 #include "core/file.hpp"
 #include "core/stop.hpp"
 #include "model/chromophores.hpp"
+#include "tests/model/cache_test.hpp"
 
 namespace skinfit::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-class EmulatorCacheTest : public ::testing::Test {
+class EmulatorCacheTest : public CacheTest {
 protected:
-    void SetUp() override {
-        folder = fs::temp_directory_path() / ("skinfit_emulator_test_" + std::to_string(::getpid()));
-        fs::remove_all(folder);
-    }
-    void TearDown() override { fs::remove_all(folder); }
-
-    DiskCache cache() {
-        return {.folder = folder,
-                .warn = [this](const std::string& text) { warnings.push_back(text); },
-                .inform = [this](const std::string&) { ++builds; }};
-    }
-
     [[nodiscard]] fs::path only_file() const { return fs::directory_iterator(folder)->path(); }
-
-    fs::path folder;
-    std::vector<std::string> warnings;
-    int builds = 0;
 };
 
 EmulatorDomain domain(double incidence_rad = 0.1) {
@@ -64,7 +48,7 @@ void expect_same_bits(const Emulator& a, const Emulator& b) {
 TEST_F(EmulatorCacheTest, GivesBackTheSameBitsWithoutBuilding) {
     const Emulator built = cached_emulator(domain(), cache());
     const Emulator read = cached_emulator(domain(), cache());
-    EXPECT_EQ(builds, 1);
+    EXPECT_EQ(made, 1);
     expect_same_bits(built, read);
     EXPECT_TRUE(warnings.empty());
 }
@@ -87,7 +71,7 @@ TEST_F(EmulatorCacheTest, BuildsAnewForAnotherDomain) {
     EmulatorDomain other_fixed = domain();
     other_fixed.sample.skin.oxygen_saturation = 0.5;
     (void)cached_emulator(other_fixed, cache());
-    EXPECT_EQ(builds, 4);
+    EXPECT_EQ(made, 4);
     EXPECT_NE(emulator_key(domain()), emulator_key(domain(0.2)));
 }
 
@@ -105,7 +89,7 @@ TEST_F(EmulatorCacheTest, ReplacesADamagedFile) {
     expect_same_bits(built, cached_emulator(domain(), cache()));
     ASSERT_EQ(warnings.size(), 1U);
     EXPECT_NE(warnings[0].find("checksum"), std::string::npos);
-    EXPECT_EQ(builds, 2);
+    EXPECT_EQ(made, 2);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "model/ensemble_cache.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -13,6 +12,7 @@
 #include "core/stop.hpp"
 #include "model/ensemble_file.hpp"
 #include "model/parameters.hpp"
+#include "tests/model/cache_test.hpp"
 
 namespace skinfit::test {
 namespace {
@@ -22,21 +22,8 @@ namespace fs = std::filesystem;
 const std::vector<double> wavelengths_nm = {450, 550};
 constexpr WalkOptions walk{.incidence_rad = 0.1, .rays = 200, .seed = 3};
 
-/// A folder of its own and a count of what the cache says.
-class CacheTest : public ::testing::Test {
+class EnsembleCacheTest : public CacheTest {
 protected:
-    void SetUp() override {
-        folder = fs::temp_directory_path() / ("skinfit_cache_test_" + std::to_string(::getpid()));
-        fs::remove_all(folder);
-    }
-    void TearDown() override { fs::remove_all(folder); }
-
-    EnsembleCache cache() {
-        return {.folder = folder,
-                .warn = [this](const std::string& text) { warnings.push_back(text); },
-                .inform = [this](const std::string&) { ++recordings; }};
-    }
-
     PathEnsemble get(const Sample& sample = {}, const WalkOptions& options = walk) {
         return cached_ensemble(sample, wavelengths_nm, options, cache());
     }
@@ -46,10 +33,6 @@ protected:
         for (const auto& entry : fs::directory_iterator(folder)) found.push_back(entry.path());
         return found;
     }
-
-    fs::path folder;
-    std::vector<std::string> warnings;
-    int recordings = 0;
 };
 
 void expect_same_bits(const PathEnsemble& a, const PathEnsemble& b) {
@@ -68,9 +51,9 @@ void expect_same_bits(const PathEnsemble& a, const PathEnsemble& b) {
     }
 }
 
-TEST_F(CacheTest, KeepsNothingOfWhatIsCancelled) {
+TEST_F(EnsembleCacheTest, KeepsNothingOfWhatIsCancelled) {
     std::stop_source stop;
-    EnsembleCache stopping = cache();
+    DiskCache stopping = cache();
     stopping.inform = [&](const std::string&) { stop.request_stop(); };
     EXPECT_THROW((void)cached_ensemble({}, wavelengths_nm, walk, stopping, stop.get_token()), Cancelled);
     EXPECT_FALSE(fs::exists(folder));
@@ -83,46 +66,46 @@ TEST_F(CacheTest, KeepsNothingOfWhatIsCancelled) {
     EXPECT_EQ(files(), std::vector<fs::path>{kept});
     EXPECT_EQ(read_file(kept), before);
     expect_same_bits(get(), traced);
-    EXPECT_EQ(recordings, 1);
+    EXPECT_EQ(made, 1);
 }
 
 void overwrite(const fs::path& path, const std::string& bytes) {
     std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
 }
 
-TEST_F(CacheTest, NobodyNeedWatchIt) {
+TEST_F(EnsembleCacheTest, NobodyNeedWatchIt) {
     const PathEnsemble traced = PathEnsemble::trace({}, wavelengths_nm, walk);
     expect_same_bits(cached_ensemble({}, wavelengths_nm, walk, {}), traced);
-    const EnsembleCache unwatched{.folder = folder};
+    const DiskCache unwatched{.folder = folder};
     expect_same_bits(cached_ensemble({}, wavelengths_nm, walk, unwatched), traced);
     overwrite(files().at(0), "damaged");
     expect_same_bits(cached_ensemble({}, wavelengths_nm, walk, unwatched), traced);
 }
 
-TEST_F(CacheTest, SecondCallReadsTheSameBits) {
+TEST_F(EnsembleCacheTest, SecondCallReadsTheSameBits) {
     const PathEnsemble traced = PathEnsemble::trace({}, wavelengths_nm, walk);
     expect_same_bits(get(), traced);
-    EXPECT_EQ(recordings, 1);
+    EXPECT_EQ(made, 1);
     expect_same_bits(get(), traced);
-    EXPECT_EQ(recordings, 1);
+    EXPECT_EQ(made, 1);
     EXPECT_EQ(files().size(), 1U);
     EXPECT_TRUE(warnings.empty());
 }
 
-TEST_F(CacheTest, WithoutAFolderNothingIsKept) {
-    EnsembleCache nowhere = cache();
+TEST_F(EnsembleCacheTest, WithoutAFolderNothingIsKept) {
+    DiskCache nowhere = cache();
     nowhere.folder.reset();
     (void)cached_ensemble({}, wavelengths_nm, walk, nowhere);
     (void)cached_ensemble({}, wavelengths_nm, walk, nowhere);
-    EXPECT_EQ(recordings, 2);
+    EXPECT_EQ(made, 2);
     EXPECT_FALSE(fs::exists(folder));
 }
 
 /// What may befall a file between two runs.
-class DamagedCacheTest : public CacheTest {
+class DamagedCacheTest : public EnsembleCacheTest {
 protected:
     void SetUp() override {
-        CacheTest::SetUp();
+        EnsembleCacheTest::SetUp();
         (void)get();
         path = files().at(0);
         good = read_file(path);
@@ -132,14 +115,14 @@ protected:
         SCOPED_TRACE(what);
         overwrite(path, bytes);
         warnings.clear();
-        recordings = 0;
+        made = 0;
         expect_same_bits(get(), PathEnsemble::trace({}, wavelengths_nm, walk));
         EXPECT_EQ(warnings.size(), 1U);
-        EXPECT_EQ(recordings, 1);
+        EXPECT_EQ(made, 1);
         EXPECT_EQ(read_file(path), good);
         (void)get();
         EXPECT_EQ(warnings.size(), 1U);
-        EXPECT_EQ(recordings, 1);
+        EXPECT_EQ(made, 1);
     }
 
     fs::path path;
@@ -180,23 +163,23 @@ TEST_F(DamagedCacheTest, ForeignFilesAreReplaced) {
     }
 }
 
-TEST_F(CacheTest, AFolderThatCannotBeWrittenWarnsAndDoesNoHarm) {
+TEST_F(EnsembleCacheTest, AFolderThatCannotBeWrittenWarnsAndDoesNoHarm) {
     overwrite(folder, "a file where the folder should be");
     expect_same_bits(get(), PathEnsemble::trace({}, wavelengths_nm, walk));
     EXPECT_EQ(warnings.size(), 1U);
     fs::remove(folder);
 }
 
-TEST_F(CacheTest, ARecordingBeyondTheMemoryIsRefusedAtOnce) {
+TEST_F(EnsembleCacheTest, ARecordingBeyondTheMemoryIsRefusedAtOnce) {
     WalkOptions endless = walk;
     endless.rays = 1'000'000'000'000;
     EXPECT_THROW((void)get({}, endless), InputError);
-    EXPECT_EQ(recordings, 0);
+    EXPECT_EQ(made, 0);
     EXPECT_FALSE(fs::exists(folder));
 }
 
-TEST_F(CacheTest, TheLongestUnusedGoFirst) {
-    EnsembleCache small = cache();
+TEST_F(EnsembleCacheTest, TheLongestUnusedGoFirst) {
+    DiskCache small = cache();
     WalkOptions options = walk;
     (void)get({}, options);
     const std::uint64_t bytes = fs::file_size(files().at(0));
@@ -220,10 +203,10 @@ TEST_F(CacheTest, TheLongestUnusedGoFirst) {
     EXPECT_TRUE(warnings.empty());
 }
 
-TEST_F(CacheTest, OtherFilesInTheFolderStay) {
+TEST_F(EnsembleCacheTest, OtherFilesInTheFolderStay) {
     fs::create_directories(folder);
     overwrite(folder / "notes.txt", "mine");
-    EnsembleCache small = cache();
+    DiskCache small = cache();
     small.limit_bytes = 0;
     (void)cached_ensemble({}, wavelengths_nm, walk, small);
     EXPECT_EQ(read_file(folder / "notes.txt"), "mine");

@@ -3,7 +3,6 @@
 #include <map>
 
 #include "core/file.hpp"
-#include "core/input_error.hpp"
 #include "core/text.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/prior_json.hpp"
@@ -13,6 +12,7 @@
 #include "study/manifest.hpp"
 #include "study/planned_study.hpp"
 #include "tests/study/small_cohort.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace skinfit::test {
@@ -32,12 +32,7 @@ protected:
 
     /// What keeps the folder from being written; empty where nothing does.
     [[nodiscard]] std::string refusal(const std::filesystem::path& source) const {
-        try {
-            (void)holds_earlier_cohort(in_folder(""), source);
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "";
+        return refusal_of([&] { (void)holds_earlier_cohort(in_folder(""), source); });
     }
 };
 

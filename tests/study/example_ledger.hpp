@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/file.hpp"
-#include "core/input_error.hpp"
 #include "study/ledger.hpp"
 #include "tests/study/example_rows.hpp"
 
@@ -47,17 +46,6 @@ namespace skinfit::test {
                 row.input_hash + row.configuration_hash + to_json(row.studied).dump() + "\n";
     }
     return text;
-}
-
-/// What is said of bad input; empty where nothing is.
-template <class Work>
-[[nodiscard]] std::string complaint_of(const Work& work) {
-    try {
-        work();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return {};
 }
 
 }  // namespace skinfit::test

@@ -9,12 +9,13 @@
 #include <string>
 
 #include "tests/study/example_ledger.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace skinfit {
 namespace {
 
-using test::complaint_of;
+using test::refusal_of;
 
 class LockLaws : public test::TemporaryFolder {};
 
@@ -55,11 +56,11 @@ private:
 TEST_F(LockLaws, ASecondIsRefusedAndTheHolderNamed) {
     const std::filesystem::path ledger = in_folder("ledger.sqlite");
     const LedgerLock lock(ledger);
-    const std::string complaint = complaint_of([&] { const LedgerLock second(ledger); });
+    const std::string complaint = refusal_of([&] { const LedgerLock second(ledger); });
     EXPECT_NE(complaint.find(ledger.string() + ": is in use (process " + std::to_string(::getpid()) + " on "),
               std::string::npos)
         << complaint;
-    EXPECT_EQ(complaint_of([&] { const LedgerLock other(in_folder("other.sqlite")); }), "");
+    EXPECT_EQ(refusal_of([&] { const LedgerLock other(in_folder("other.sqlite")); }), "");
 }
 
 TEST_F(LockLaws, IsFreeWhenItsHolderIsDone) {
@@ -67,20 +68,20 @@ TEST_F(LockLaws, IsFreeWhenItsHolderIsDone) {
     { const LedgerLock lock(ledger); }
     LedgerLock lock(ledger);
     const LedgerLock moved(std::move(lock));
-    EXPECT_NE(complaint_of([&] { const LedgerLock second(ledger); }), "");
+    EXPECT_NE(refusal_of([&] { const LedgerLock second(ledger); }), "");
 }
 
 TEST_F(LockLaws, IsFreeWhenItsProcessIsKilled) {
     const std::filesystem::path ledger = in_folder("ledger.sqlite");
     Other other([&] { new LedgerLock(ledger); });
-    const std::string complaint = complaint_of([&] { const LedgerLock lock(ledger); });
+    const std::string complaint = refusal_of([&] { const LedgerLock lock(ledger); });
     EXPECT_NE(complaint.find("process " + std::to_string(other.process()) + " on "), std::string::npos) << complaint;
     other.kill();
-    EXPECT_EQ(complaint_of([&] { const LedgerLock lock(ledger); }), "");
+    EXPECT_EQ(refusal_of([&] { const LedgerLock lock(ledger); }), "");
 }
 
 TEST_F(LockLaws, WithoutAFolderThereIsNone) {
-    const std::string complaint = complaint_of([&] { const LedgerLock lock(in_folder("no/ledger.sqlite")); });
+    const std::string complaint = refusal_of([&] { const LedgerLock lock(in_folder("no/ledger.sqlite")); });
     EXPECT_NE(complaint.find("cannot be written (No such file or directory)"), std::string::npos) << complaint;
 }
 

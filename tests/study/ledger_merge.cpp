@@ -5,15 +5,16 @@
 
 #include "study/cube_ledger.hpp"
 #include "tests/study/example_ledger.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace skinfit {
 namespace {
 
-using test::complaint_of;
 using test::example_answer_of;
 using test::example_entry;
 using test::example_roster;
+using test::refusal_of;
 
 class Merging : public test::TemporaryFolder {
 protected:
@@ -124,7 +125,7 @@ TEST_F(Merging, ABadPartChangesNothingAndTheNextIsTaken) {
     write_file_atomically(in_folder("damaged"), bytes.substr(0, bytes.size() / 2));
     const std::string before = test::shown_by(in_folder("whole"));
     for (const std::string name : {"none", "text", "damaged"}) {
-        const std::string said = complaint_of([&] { (void)take_answers(whole, in_folder(name)); });
+        const std::string said = refusal_of([&] { (void)take_answers(whole, in_folder(name)); });
         EXPECT_EQ(said.find(in_folder(name).string() + ": "), 0U) << said;
         EXPECT_EQ(test::shown_by(in_folder("whole")), before);
     }
@@ -140,7 +141,7 @@ TEST_F(Merging, WithoutSpaceTakesNothing) {
     }
     const int pages = whole.database().execAndGet("PRAGMA page_count").getInt();
     whole.database().exec("PRAGMA max_page_count = " + std::to_string(pages + 2));
-    const std::string said = complaint_of([&] { (void)take_answers(whole, in_folder("part")); });
+    const std::string said = refusal_of([&] { (void)take_answers(whole, in_folder("part")); });
     EXPECT_EQ(said.find(in_folder("whole").string() + ": cannot grow"), 0U) << said;
     EXPECT_EQ(whole.pending("a.csv").size(), 200U);
     whole.database().exec("PRAGMA max_page_count = 1000000");

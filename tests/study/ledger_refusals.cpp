@@ -10,14 +10,15 @@
 #include "study/cube_ledger.hpp"
 #include "study/ledger_schema.hpp"
 #include "tests/study/example_ledger.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace skinfit {
 namespace {
 
-using test::complaint_of;
 using test::example_answers;
 using test::example_roster;
+using test::refusal_of;
 
 constexpr std::size_t spectra = 60;
 
@@ -36,13 +37,13 @@ protected:
     [[nodiscard]] std::vector<std::string> complaints() const {
         const std::string before = read_file(path());
         std::vector<std::string> said;
-        said.push_back(complaint_of([&] {
+        said.push_back(refusal_of([&] {
             const Ledger ledger(path(), Ledger::Access::read);
             (void)ledger.counts();
             (void)ledger.rows();
             (void)cube_rows(ledger);
         }));
-        said.push_back(complaint_of([&] { const Ledger ledger(path(), Ledger::Access::write); }));
+        said.push_back(refusal_of([&] { const Ledger ledger(path(), Ledger::Access::write); }));
         EXPECT_TRUE(said[1].empty() || read_file(path()) == before) << said[1];
         return said;
     }
@@ -79,10 +80,10 @@ TEST_F(Refusals, OfALaterVersion) {
 }
 
 TEST_F(Refusals, OfALedgerThatIsNotThere) {
-    EXPECT_EQ(complaint_of([&] { const Ledger ledger(path(), Ledger::Access::read); }),
+    EXPECT_EQ(refusal_of([&] { const Ledger ledger(path(), Ledger::Access::read); }),
               path().string() + ": there is no ledger (the study has not been run); run it with `skinfit study run`");
     EXPECT_EQ(entries(), 0);
-    EXPECT_NE(complaint_of([&] {
+    EXPECT_NE(refusal_of([&] {
                   const Ledger ledger(in_folder("no/l.sqlite"), Ledger::Access::write);
               }).find("cannot be opened"),
               std::string::npos);
@@ -139,7 +140,7 @@ TEST_F(Refusals, OfTextsThatMakeNoSense) {
 /// Fills the ledger until `store` complains; what was stored before must stand.
 std::string fill(Ledger& ledger, std::size_t& stored) {
     const std::vector<Ledger::Answer> answers = example_answers(example_roster(spectra));
-    return complaint_of([&] {
+    return refusal_of([&] {
         for (stored = 0; stored < answers.size(); ++stored) ledger.store({&answers[stored], 1});
     });
 }
@@ -208,13 +209,13 @@ TEST_F(Refusals, OfAFolderThatMayOnlyBeRead) {
     };
     EXPECT_EQ(as_nobody([&] { return Ledger(there, Ledger::Access::read).rows().size() == spectra ? 0 : 1; }), 0);
     EXPECT_EQ(as_nobody([&] {
-                  const std::string said = complaint_of([&] { const Ledger ledger(there, Ledger::Access::write); });
+                  const std::string said = refusal_of([&] { const Ledger ledger(there, Ledger::Access::write); });
                   return said.find("cannot be opened") != std::string::npos ? 0 : 1;
               }),
               0);
     write_file_atomically(there.string() + "-wal", std::string(100, 'x'));
     EXPECT_EQ(as_nobody([&] {
-                  const std::string said = complaint_of([&] { (void)Ledger(there, Ledger::Access::read).rows(); });
+                  const std::string said = refusal_of([&] { (void)Ledger(there, Ledger::Access::read).rows(); });
                   return said.find("cannot be opened") != std::string::npos ? 0 : 1;
               }),
               0);

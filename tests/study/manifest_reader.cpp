@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/study/example_ledger.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace skinfit {
 namespace {
 
 std::string complaint(std::string_view text) {
-    return test::complaint_of([&] { (void)parse_manifest(text, "m.csv"); });
+    return test::refusal_of([&] { (void)parse_manifest(text, "m.csv"); });
 }
 
 /// The table that all of `tables` mean.

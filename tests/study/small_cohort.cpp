@@ -26,7 +26,7 @@ Cohort cohort_of(const Json& json) {
     return read_cohort(json, "cohort.json");
 }
 
-EnsembleCache without_cache() {
+DiskCache without_cache() {
     return {.folder = std::nullopt, .warn = [](const std::string&) {}, .inform = [](const std::string&) {}};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/ensemble_cache.hpp"
+#include "model/disk_cache.hpp"
 #include "study/cohort_simulation.hpp"
 
 namespace skinfit::test {
@@ -12,6 +12,6 @@ namespace skinfit::test {
 [[nodiscard]] Cohort cohort_of(const Json& json);
 
 /// Keeps nothing and says nothing.
-[[nodiscard]] EnsembleCache without_cache();
+[[nodiscard]] DiskCache without_cache();
 
 }  // namespace skinfit::test

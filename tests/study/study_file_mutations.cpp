@@ -8,32 +8,13 @@
 #include "core/utf8.hpp"
 #include "study/manifest_reader.hpp"
 #include "study/study.hpp"
+#include "tests/support/mutants.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace skinfit {
 namespace {
 
 constexpr std::string_view marks = "\n\r\t ,;#\":{}[]()*?\\x00\xff\xc3-e";
-
-/// One byte deleted, up to 30 doubled, or one replaced by any byte or by one of the grammar's.
-std::string mutated(std::string text, std::mt19937_64& random) {
-    if (text.empty()) return text;
-    const std::size_t at = random() % text.size();
-    switch (random() % 4) {
-        case 0:
-            text.erase(at, 1);
-            break;
-        case 1:
-            text.insert(at, text.substr(at, 1 + random() % 30));
-            break;
-        case 2:
-            text[at] = static_cast<char>(random() % 256);
-            break;
-        default:
-            text[at] = marks[random() % marks.size()];
-    }
-    return text;
-}
 
 /// How many of so many mutants of `text`, each a few steps away, `read` takes and how many it refuses.
 struct Outcome {
@@ -48,7 +29,7 @@ Outcome of_mutants(const std::string& text, int mutants, const Read& read) {
     Outcome outcome;
     for (int i = 0; i < mutants; ++i) {
         std::string mutant = text;
-        for (int step = 0; step <= i % 3; ++step) mutant = mutated(mutant, random);
+        for (int step = 0; step <= i % 3; ++step) mutant = test::mutated(mutant, marks, random);
         try {
             read(mutant);
             ++outcome.taken;

@@ -4,6 +4,7 @@
 #include "core/file.hpp"
 #include "study/study.hpp"
 #include "tests/study/example_ledger.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace skinfit {
@@ -25,7 +26,7 @@ protected:
         const std::filesystem::path path = in_folder("study.json");
         for (const auto& [text, said] : refused) {
             const std::string whole = fmt::format(fmt::runtime(frame), text);
-            const std::string found = test::complaint_of([&] { (void)parse_study(whole, path); });
+            const std::string found = test::refusal_of([&] { (void)parse_study(whole, path); });
             std::string shown = found;
             const std::string folder = path.parent_path().string() + "/";
             for (std::size_t at = shown.find(folder); at != std::string::npos; at = shown.find(folder)) {

@@ -6,13 +6,14 @@
 
 #include "study/study_assessment.hpp"
 #include "tests/study/example_ledger.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace skinfit {
 namespace {
 
-using test::complaint_of;
 using test::example_estimate;
 using test::example_row;
+using test::refusal_of;
 
 LedgerRow saturated(const std::string& name, const Metadata& metadata, double value, double sigma = 0.05) {
     return example_row(name, metadata, example_estimate("oxygen_saturation", value, sigma));
@@ -179,7 +180,7 @@ TEST_F(Assessed, PairsAreSpectraWithAReferenceValue) {
 TEST_F(Assessed, AReferenceValueIsANumber) {
     for (const std::string word : {"high", "nan", "inf", "1,5"}) {
         const std::vector<AnsweredRow> bad = plain({saturated("1", {{"oximeter", word}}, 0.3)});
-        EXPECT_EQ(complaint_of([&] { (void)pairs_of(study.assessments[1], bad); }),
+        EXPECT_EQ(refusal_of([&] { (void)pairs_of(study.assessments[1], bad); }),
                   "a.csv 1: \"oximeter\" is \"" + word +
                       "\" (it is the reference value of oxygen_saturation, a number); correct it in the manifest, or "
                       "leave the cell empty");

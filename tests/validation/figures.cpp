@@ -11,6 +11,7 @@
 #include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "fit/settings.hpp"
+#include "tests/support/refusal.hpp"
 #include "validation/figure.hpp"
 #include "validation/shipped.hpp"
 
@@ -32,12 +33,7 @@ bool schema_accepts(const Json& json) {
 
 /// The message with which `json` is refused; empty where it is not.
 std::string refusal(const Json& json) {
-    try {
-        (void)parse_figure(json.dump(), "f.json");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return test::refusal_of([&] { (void)parse_figure(json.dump(), "f.json"); });
 }
 
 Json good() {

@@ -12,7 +12,7 @@
 namespace skinfit::test {
 namespace {
 
-EnsembleCache no_cache() {
+DiskCache no_cache() {
     return {.folder = std::nullopt, .warn = [](const std::string&) {}, .inform = [](const std::string&) {}};
 }
 
