@@ -34,7 +34,6 @@ int run(const BenchCommand& command, Session& session) {
 
 void add_bench_command(CLI::App& app, Session& session) {
     const auto command = std::make_shared<BenchCommand>();
-    command->output.format = "text";
     CLI::App* const bench = app.add_subcommand("bench", "measure on this machine what a fit costs, by each engine");
     bench->add_option("--spectra", command->sizes.spectra, "synthetic, fitted by each engine")
         ->check(CLI::Range(2, 100'000))
@@ -54,10 +53,8 @@ void add_bench_command(CLI::App& app, Session& session) {
                      "timed of a fit that traces all rays anew each time; the rest is extrapolated")
         ->check(CLI::Range(1, 10'000))
         ->capture_default_str();
-    bench->add_option("--format", command->output.format, "form of the output")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->capture_default_str();
-    bench->add_option("--out", command->output.out, "write there instead of to the terminal")->type_name("FILE");
+    add_format_option(*bench, command->output.format, {"text", "json"});
+    add_out_option(*bench, command->output.out);
     bench
         ->add_option("--scaling", command->scaling,
                      "instead, plot costs against spectra, wavelengths, rays and free parameters into this folder")
@@ -65,7 +62,7 @@ void add_bench_command(CLI::App& app, Session& session) {
     add_examples(*bench,
                  {"skinfit bench", "skinfit bench --spectra 20 --format json --out bench.json",
                   "skinfit bench --scaling scaling"},
-                 "Exit code 0: done; 2: bad input; 3: internal error.");
+                 exit_codes_of_work);
     bench->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 

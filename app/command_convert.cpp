@@ -62,7 +62,7 @@ void add_convert_command(CLI::App& app, Session& session) {
     CLI::App* const convert = app.add_subcommand("convert", "write the spectra of a file as CSV or JSON of one form");
     convert->add_option("FILE", command->file, "spectra in any form that skinfit reads; - is standard input")
         ->required();
-    convert->add_option("--out", command->out, "write there instead of to the terminal")->type_name("FILE");
+    add_out_option(*convert, command->out);
     convert->add_option("--format", command->format, "form of the output; by default that of --out's ending, else csv")
         ->check(CLI::IsMember({"csv", "json"}));
     convert->add_option("--column", command->columns, "only this spectrum: its name, or its number from 1")

@@ -62,21 +62,15 @@ void add_design_command(CLI::App& app, Session& session) {
     CLI::App* const design =
         app.add_subcommand("design", "plan a measurement: detection limits and the best wavelengths");
     design->add_option("PARAMETER", command->parameter, "what is to be detected, as in bilirubin_g_per_l")->required();
-    design->add_option("--wavelengths", command->wavelengths, "nm: first:last:step as in 400:700:20, or a list");
+    add_wavelengths_option(*design, command->wavelengths);
     design->add_option("--best", command->best, "choose so many of the wavelengths")->check(CLI::Range(1, 1000));
-    design->add_option("--free", command->free, "these parameters are unknown too")
-        ->type_name("NAME,NAME")
-        ->expected(1)
-        ->take_all();
-    design->add_option("--fix", command->fix, "these parameters are known")
-        ->type_name("NAME,NAME")
-        ->expected(1)
-        ->take_all();
+    add_names_option(*design, "--free", command->free, "these parameters are unknown too");
+    add_names_option(*design, "--fix", command->fix, "these parameters are known");
     add_shared_options(*design, command->shared, {"text", "csv", "json"});
     add_examples(*design,
                  {"skinfit design bilirubin_g_per_l", "skinfit design bilirubin_g_per_l --best 6 --set noise=0.003",
                   "skinfit design oxygen_saturation --wavelengths 450:650:5 --format csv"},
-                 "Exit code 0: done; 2: bad input; 3: internal error.");
+                 exit_codes_of_work);
     design->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 

@@ -55,8 +55,8 @@ void add_explore_command(CLI::App& app, Session& session) {
     explore->add_option("--port", command->port, "of 127.0.0.1; 0: a free one")
         ->check(CLI::Range(0, 65535))
         ->capture_default_str();
-    explore->add_option("--threads", command->shared.threads, "at most so many")->check(CLI::Range(1, 1024));
-    explore->add_flag("--no-cache", command->shared.no_cache, "do not keep or use recorded walks and emulators");
+    add_threads_option(*explore, command->shared.threads, "at most so many");
+    add_no_cache_option(*explore, command->shared.no_cache);
     add_examples(
         *explore, {"skinfit explore", "skinfit explore measurements/data/ncsu_113.csv --port 8080"},
         "Prints the address of the page, which holds a secret: whoever has it on this machine can use the server.\n"

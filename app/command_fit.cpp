@@ -194,16 +194,11 @@ void add_fit_command(CLI::App& app, Session& session) {
     add_reader_option(*fit, command->reader);
     add_region_options(*fit, command->region);
     fit->add_option("--unit", command->unit, "of the values; found by a rule otherwise")->type_name("fraction|percent");
-    fit->add_option("--free", command->free, "adjust these parameters too; `skinfit config show` lists their names")
-        ->type_name("NAME,NAME")
-        ->expected(1)
-        ->take_all();
-    fit->add_option("--fix", command->fix, "hold these parameters")->type_name("NAME,NAME")->expected(1)->take_all();
-    fit->add_option("--own", command->own,
-                    "adjust these parameters, with a value of its own in each of several spectra")
-        ->type_name("NAME,NAME")
-        ->expected(1)
-        ->take_all();
+    add_names_option(*fit, "--free", command->free,
+                     "adjust these parameters too; `skinfit config show` lists their names");
+    add_names_option(*fit, "--fix", command->fix, "hold these parameters");
+    add_names_option(*fit, "--own", command->own,
+                     "adjust these parameters, with a value of its own in each of several spectra");
     fit->add_option("--uncertainty", command->uncertainty,
                     "what intervals come from: covariance, profile (right at bounds) or posterior")
         ->type_name("covariance|profile|posterior");

@@ -202,7 +202,7 @@ void add_gonio_command(CLI::App& app, Session& session) {
     add_examples(*gonio,
                  {"skinfit gonio --rays 100000", "skinfit gonio --illuminant d65_v --rays 20000 --out brdf.csv",
                   "skinfit gonio --wavelengths 633 --set incidence_deg=45 --part surface --rays 100000 --format json"},
-                 "Exit code 0: done; 2: bad input; 3: internal error.");
+                 exit_codes_of_work);
     gonio->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 

@@ -61,7 +61,6 @@ int run(const InspectCommand& command, Session& session) {
 
 void add_inspect_command(CLI::App& app, Session& session) {
     const auto command = std::make_shared<InspectCommand>();
-    command->output.format = "text";
     CLI::App* const inspect =
         app.add_subcommand("inspect", "show what a measured file holds and what is wrong with its spectra");
     inspect->add_option("FILE", command->file, "spectra, in any form that skinfit reads; - is standard input")
@@ -72,10 +71,8 @@ void add_inspect_command(CLI::App& app, Session& session) {
         ->type_name("fraction|percent");
     inspect->add_option("--plot", command->plot, "draw the spectra there, as .svg, .png or .pdf")->type_name("FILE");
     inspect->add_flag("--strict", command->strict, "make warnings errors: exit code 2 where there are any");
-    inspect->add_option("--format", command->output.format, "form of the output")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->capture_default_str();
-    inspect->add_option("--out", command->output.out, "write there instead of to the terminal")->type_name("FILE");
+    add_format_option(*inspect, command->output.format, {"text", "json"});
+    add_out_option(*inspect, command->output.out);
     add_examples(*inspect,
                  {"skinfit inspect measurements/data/ncsu_113.csv",
                   "skinfit inspect measurements/data/ncsu_113.csv --plot spectrum.png",

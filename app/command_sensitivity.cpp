@@ -48,27 +48,21 @@ void add_sensitivity_command(CLI::App& app, Session& session) {
     const auto command = std::make_shared<SensitivityCommand>();
     CLI::App* const sensitivity =
         app.add_subcommand("sensitivity", "compute how the reading answers to each parameter, by wavelength");
-    sensitivity->add_option("--wavelengths", command->wavelengths, "nm: first:last:step as in 400:700:20, or a list");
+    add_wavelengths_option(*sensitivity, command->wavelengths);
     sensitivity->add_option("--quantity", command->quantity, "reflectance where it is not given")
         ->type_name("reflectance|transmittance");
     sensitivity->add_flag("--relative", command->relative,
                           "each derivative times the value of its parameter, instead of per unit");
     sensitivity->add_option("--plot", command->plot, "draw value x derivative of the free parameters: .svg, .png, .pdf")
         ->type_name("FILE");
-    sensitivity->add_option("--free", command->free, "draw these parameters too")
-        ->type_name("NAME,NAME")
-        ->expected(1)
-        ->take_all();
-    sensitivity->add_option("--fix", command->fix, "do not draw these parameters")
-        ->type_name("NAME,NAME")
-        ->expected(1)
-        ->take_all();
+    add_names_option(*sensitivity, "--free", command->free, "draw these parameters too");
+    add_names_option(*sensitivity, "--fix", command->fix, "do not draw these parameters");
     add_shared_options(*sensitivity, command->shared, {"csv", "json"});
     add_examples(
         *sensitivity,
         {"skinfit sensitivity --wavelengths 400:700:10", "skinfit sensitivity --relative --plot sensitivity.svg",
          "skinfit sensitivity --quantity transmittance --set base=matched --format json"},
-        "Exit code 0: done; 2: bad input; 3: internal error.");
+        exit_codes_of_work);
     sensitivity->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 

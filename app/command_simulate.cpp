@@ -8,6 +8,7 @@
 #include "fit/viewing.hpp"
 #include "fit/wavelength_sets.hpp"
 #include "model/emulator_cache.hpp"
+#include "model/ensemble_cache.hpp"
 
 namespace skinfit {
 namespace {
@@ -47,7 +48,7 @@ std::vector<Reading> walked_readings(const Configuration& configuration, const E
 
 /// At single wavelengths.
 std::vector<Reading> modelled_readings(const Configuration& configuration, const std::vector<double>& wavelengths_nm,
-                                       const EnsembleCache& cache, ProgressLine& line) {
+                                       const DiskCache& cache, ProgressLine& line) {
     check_viewing_cone(resolved(configuration, Spectrum{}));
     const Experiment experiment = make_experiment(configuration, {});
     const std::vector<double> true_nm = true_wavelengths_nm(experiment, wavelengths_nm);
@@ -73,7 +74,7 @@ std::vector<Reading> modelled_readings(const Configuration& configuration, const
             cache));
 }
 
-std::vector<Reading> readings(const Configuration& configuration, const EnsembleCache& cache, ProgressLine& line) {
+std::vector<Reading> readings(const Configuration& configuration, const DiskCache& cache, ProgressLine& line) {
     const std::vector<double> centres_nm = parse_wavelengths(configuration.wavelengths, "wavelengths");
     const BandSampling bands = sample_bands(centres_nm, bandpass_of(resolved(configuration, Spectrum{})));
     return readings_in_bands(modelled_readings(configuration, bands.wavelength_nm, cache, line), bands, centres_nm);
@@ -101,14 +102,14 @@ void add_simulate_command(CLI::App& app, Session& session) {
             "--engine", command->engine,
             "recorded walks, the analog walk of the paper, the angular solver (no noise) or its emulator (the fastest)")
         ->type_name("paths|walk|solver|emulator");
-    simulate->add_option("--wavelengths", command->wavelengths, "nm: first:last:step as in 400:700:20, or a list");
+    add_wavelengths_option(*simulate, command->wavelengths);
     simulate->add_option("--rays", command->rays, "per wavelength")->type_name("N");
     simulate->add_option("--seed", command->seed, "of the random numbers")->type_name("N");
     add_shared_options(*simulate, command->shared, {"csv", "json"});
     add_examples(*simulate,
                  {"skinfit simulate", "skinfit simulate --engine solver --wavelengths 400:700:5 --out skin.csv",
                   "skinfit simulate --set melanosome_fraction=0.25 --set oxygen_saturation=0.6 --format json"},
-                 "Exit code 0: done; 2: bad input; 3: internal error.");
+                 exit_codes_of_work);
     simulate->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 

@@ -104,7 +104,7 @@ void add_study_status_command(CLI::App& study, Session& session) {
     const auto status = std::make_shared<StudyResultCommand>();
     CLI::App* const status_app =
         add_study_subcommand(study, status->shared, "status", "count fitted, suspect, rejected, failed and pending");
-    add_study_formats(*status_app, status->shared, {"text", "json"});
+    add_format_option(*status_app, status->shared.format, {"text", "json"});
     add_examples(*status_app, {"skinfit study status configs/study_example.json"},
                  "Exit code 0: every spectrum is fitted; 1: some are not; 2: bad input; 3: internal error.");
     status_app->callback([status, &session] { session.exit_code = status_it(*status, session); });
@@ -114,8 +114,8 @@ void add_study_export_command(CLI::App& study, Session& session) {
     const auto exported = std::make_shared<StudyResultCommand>();
     CLI::App* const export_app =
         add_study_subcommand(study, exported->shared, "export", "write the results as a table or as JSON");
-    add_study_formats(*export_app, exported->shared, {"csv", "json"});
-    export_app->add_option("--out", exported->out, "write there instead of to the terminal")->type_name("FILE");
+    add_format_option(*export_app, exported->shared.format, {"csv", "json"});
+    add_out_option(*export_app, exported->out);
     add_examples(*export_app, {"skinfit study export configs/study_example.json --out results.csv",
                                "skinfit study export configs/study_example.json --format json"});
     export_app->callback([exported, &session] { session.exit_code = export_it(*exported, session); });
@@ -147,7 +147,7 @@ void add_study_power_command(CLI::App& study, Session& session) {
         ->capture_default_str();
     power_app->add_option("--plot", power->plot, "draw detectable differences there, .svg, .png or .pdf")
         ->type_name("FILE");
-    add_study_formats(*power_app, power->shared, {"text", "json"});
+    add_format_option(*power_app, power->shared.format, {"text", "json"});
     add_examples(*power_app, {"skinfit study power configs/study_example.json --quantity melanosome_fraction "
                               "--subjects 10,20,50 --plot power.svg"});
     power_app->callback([power, &session] { session.exit_code = power_it(*power, session); });

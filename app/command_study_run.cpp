@@ -134,7 +134,7 @@ int merge_it(const StudyRunCommand& command, Session& session) {
 void add_run_options(CLI::App& sub, const std::shared_ptr<StudyRunCommand>& command, Session& session) {
     sub.add_option("--jobs", command->jobs, "threads; as many as the machine has by default")
         ->check(CLI::Range(1, 1024));
-    sub.add_flag("--no-cache", command->no_cache, "do not keep or use recorded walks and emulators");
+    add_no_cache_option(sub, command->no_cache);
     auto* const quiet = sub.add_flag("--quiet", session.quiet, "print nothing but errors");
     sub.add_flag("--verbose", command->verbose, "say more often how far it is")->excludes(quiet);
 }

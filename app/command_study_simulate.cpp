@@ -77,11 +77,9 @@ void add_study_simulate_command(CLI::App& study, Session& session) {
                      "of the spectra: solver (no noise of its own), emulator or paths, instead of the cohort's")
         ->check(CLI::IsMember({"solver", "emulator", "paths"}));
     simulate->add_option("--seed", command->seed, "of everything drawn, instead of the cohort's");
-    simulate->add_option("--threads", command->shared.threads, "at most so many; the result does not depend on it")
-        ->check(CLI::Range(1, 1024));
-    simulate->add_flag("--no-cache", command->shared.no_cache, "do not keep or use recorded walks and emulators");
-    add_examples(*simulate, {"skinfit study simulate configs/cohort_power.json --output cohort"},
-                 "Exit code 0: done; 2: bad input; 3: internal error.");
+    add_threads_option(*simulate, command->shared.threads);
+    add_no_cache_option(*simulate, command->shared.no_cache);
+    add_examples(*simulate, {"skinfit study simulate configs/cohort_power.json --output cohort"}, exit_codes_of_work);
     simulate->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 

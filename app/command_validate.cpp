@@ -21,7 +21,7 @@ struct ValidateCommand {
     std::filesystem::path output = "forward_validation";
     std::filesystem::path shared = "../shared";
     std::string figures;
-    std::string format = "text";
+    std::string format;
     std::string rays;
     std::string seed;
     int threads = 0;
@@ -108,13 +108,10 @@ void add_validate_command(CLI::App& app, Session& session) {
     forward->add_option("--shared", command->shared, "folder of measurements that are not shipped")
         ->type_name("FOLDER")
         ->capture_default_str();
-    forward->add_option("--format", command->format, "form of the summary on the terminal")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->capture_default_str();
+    add_format_option(*forward, command->format, {"text", "json"}, "form of the summary on the terminal");
     forward->add_option("--rays", command->rays, "per wavelength of the goniophotometer, instead of the figure's own");
     forward->add_option("--seed", command->seed, "of the goniophotometer's random numbers");
-    forward->add_option("--threads", command->threads, "at most so many; the result does not depend on it")
-        ->check(CLI::Range(1, 1024));
+    add_threads_option(*forward, command->threads);
     add_examples(*forward,
                  {"skinfit validate forward", "skinfit validate forward --figures 3,4 --output figures",
                   "skinfit validate forward --figures 7 --rays 20000 --format json"},

@@ -114,27 +114,12 @@ void add_validate_inverse_command(CLI::App& validate, Session& session) {
     inverse->add_option("--intervals", command->intervals, "kinds of interval to compute")
         ->type_name("KIND,KIND")
         ->capture_default_str();
-    inverse->add_option("--free", command->free, "adjust these parameters too")
-        ->type_name("NAME,NAME")
-        ->expected(1)
-        ->take_all();
-    inverse->add_option("--fix", command->fix, "hold these parameters")
-        ->type_name("NAME,NAME")
-        ->expected(1)
-        ->take_all();
-    inverse->add_option("--config", command->shared.config, "JSON file of settings; see `skinfit config show`")
-        ->type_name("FILE");
-    inverse->add_option("--set", command->shared.set, "change one setting or parameter, as in priors=uniform")
-        ->type_name("KEY=VALUE")
-        ->expected(1)
-        ->take_all();
-    command->shared.format = "text";
-    inverse->add_option("--format", command->shared.format, "form of the summary on the terminal")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->capture_default_str();
-    inverse->add_option("--threads", command->shared.threads, "at most so many; the result does not depend on it")
-        ->check(CLI::Range(1, 1024));
-    inverse->add_flag("--no-cache", command->shared.no_cache, "do not keep or use recorded walks and emulators");
+    add_names_option(*inverse, "--free", command->free, "adjust these parameters too");
+    add_names_option(*inverse, "--fix", command->fix, "hold these parameters");
+    add_configuration_options(*inverse, command->shared, "priors=uniform");
+    add_format_option(*inverse, command->shared.format, {"text", "json"}, "form of the summary on the terminal");
+    add_threads_option(*inverse, command->shared.threads);
+    add_no_cache_option(*inverse, command->shared.no_cache);
     add_examples(
         *inverse,
         {"skinfit validate inverse --spectra 20 --intervals covariance",

@@ -32,20 +32,47 @@ void refuse_replacing(const std::string& option, const std::filesystem::path& ou
 }  // namespace
 
 void add_shared_options(CLI::App& command, SharedOptions& options, const std::vector<std::string>& formats) {
-    options.format = formats.front();
+    add_configuration_options(command, options, "melanosome_fraction=0.1");
+    add_format_option(command, options.format, formats);
+    add_out_option(command, options.out);
+    add_threads_option(command, options.threads);
+    add_no_cache_option(command, options.no_cache);
+}
+
+void add_configuration_options(CLI::App& command, SharedOptions& options, const std::string& example) {
     command.add_option("--config", options.config, "JSON file of settings; see `skinfit config show`")
         ->type_name("FILE");
-    command.add_option("--set", options.set, "change one setting or parameter, as in melanosome_fraction=0.1")
+    command.add_option("--set", options.set, "change one setting or parameter, as in " + example)
         ->type_name("KEY=VALUE")
         ->expected(1)
         ->take_all();
-    command.add_option("--format", options.format, "form of the output")
-        ->check(CLI::IsMember(formats))
-        ->capture_default_str();
-    command.add_option("--out", options.out, "write there instead of to the terminal")->type_name("FILE");
-    command.add_option("--threads", options.threads, "at most so many; the result does not depend on it")
-        ->check(CLI::Range(1, 1024));
-    command.add_flag("--no-cache", options.no_cache, "do not keep or use recorded walks and emulators");
+}
+
+void add_format_option(CLI::App& command, std::string& format, const std::vector<std::string>& formats,
+                       const std::string& meaning) {
+    format = formats.front();
+    command.add_option("--format", format, meaning)->check(CLI::IsMember(formats))->capture_default_str();
+}
+
+void add_out_option(CLI::App& command, std::filesystem::path& out) {
+    command.add_option("--out", out, "write there instead of to the terminal")->type_name("FILE");
+}
+
+void add_threads_option(CLI::App& command, int& threads, const std::string& meaning) {
+    command.add_option("--threads", threads, meaning)->check(CLI::Range(1, 1024));
+}
+
+void add_no_cache_option(CLI::App& command, bool& no_cache) {
+    command.add_flag("--no-cache", no_cache, "do not keep or use recorded walks and emulators");
+}
+
+void add_names_option(CLI::App& command, const std::string& option, std::vector<std::string>& names,
+                      const std::string& meaning) {
+    command.add_option(option, names, meaning)->type_name("NAME,NAME")->expected(1)->take_all();
+}
+
+void add_wavelengths_option(CLI::App& command, std::string& wavelengths) {
+    command.add_option("--wavelengths", wavelengths, "nm: first:last:step as in 400:700:20, or a list");
 }
 
 void add_reader_option(CLI::App& command, std::string& reader) {
@@ -90,7 +117,7 @@ void add_examples(CLI::App& command, const std::vector<std::string>& examples, c
         fmt::format("Examples:\n  {}{}{}", fmt::join(examples, "\n  "), remark.empty() ? "" : "\n\n", remark));
 }
 
-EnsembleCache cache_from(const SharedOptions& options, ProgressLine& line) {
+DiskCache cache_from(const SharedOptions& options, ProgressLine& line) {
     return {.folder = options.no_cache ? std::nullopt : default_cache_folder(),
             .warn = [&line](const std::string& text) { line.warn(text); },
             .inform = [&line](const std::string& text) { line.show({.what = text}); }};

@@ -12,7 +12,7 @@
 #include "app/progress_line.hpp"
 #include "fit/configuration.hpp"
 #include "fit/settings.hpp"
-#include "model/ensemble_cache.hpp"
+#include "model/disk_cache.hpp"
 
 namespace skinfit {
 
@@ -29,6 +29,22 @@ struct SharedOptions {
 /// Adds them to `command`; `formats` are the choices of --format, the first the default.
 void add_shared_options(CLI::App& command, SharedOptions& options, const std::vector<std::string>& formats);
 
+/// Single ones of them, for commands that have not all. --set is explained by `example`.
+void add_configuration_options(CLI::App& command, SharedOptions& options, const std::string& example);
+void add_format_option(CLI::App& command, std::string& format, const std::vector<std::string>& formats,
+                       const std::string& meaning = "form of the output");
+void add_out_option(CLI::App& command, std::filesystem::path& out);
+void add_threads_option(CLI::App& command, int& threads,
+                        const std::string& meaning = "at most so many; the result does not depend on it");
+void add_no_cache_option(CLI::App& command, bool& no_cache);
+
+/// Adds an option that takes names of parameters, several at once or several times.
+void add_names_option(CLI::App& command, const std::string& option, std::vector<std::string>& names,
+                      const std::string& meaning);
+
+/// Adds --wavelengths.
+void add_wavelengths_option(CLI::App& command, std::string& wavelengths);
+
 /// Adds --reader, which overrides the recognition of a file's form.
 void add_reader_option(CLI::App& command, std::string& reader);
 
@@ -42,11 +58,14 @@ void add_reader_option(CLI::App& command, std::string& reader);
                                                 const std::vector<std::string>& free,
                                                 const std::vector<std::string>& fix);
 
+/// How the help of a command ends that judges nothing.
+inline constexpr const char* exit_codes_of_work = "Exit code 0: done; 2: bad input; 3: internal error.";
+
 /// Ends the help of `command` with these command lines, and `remark`, if any.
 void add_examples(CLI::App& command, const std::vector<std::string>& examples, const std::string& remark = "");
 
 /// The cache for recorded walks as the options ask for; its messages go to `line`.
-[[nodiscard]] EnsembleCache cache_from(const SharedOptions& options, ProgressLine& line);
+[[nodiscard]] DiskCache cache_from(const SharedOptions& options, ProgressLine& line);
 
 /// Makes the folder of --output where there is none. Throws InputError where that is no folder that can be written.
 void make_output_folder(const std::filesystem::path& folder);

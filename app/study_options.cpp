@@ -14,13 +14,6 @@ CLI::App* add_study_subcommand(CLI::App& study, StudyOptions& options, const std
     return command;
 }
 
-void add_study_formats(CLI::App& command, StudyOptions& options, const std::vector<std::string>& formats) {
-    options.format = formats.front();
-    command.add_option("--format", options.format, "form of the output")
-        ->check(CLI::IsMember(formats))
-        ->capture_default_str();
-}
-
 std::filesystem::path ledger_of(const StudyOptions& options, const Study& study) {
     return options.ledger.empty() ? ledger_path(study) : std::filesystem::path(options.ledger);
 }

@@ -20,9 +20,6 @@ struct StudyOptions {
 CLI::App* add_study_subcommand(CLI::App& study, StudyOptions& options, const std::string& name,
                                const std::string& meaning);
 
-/// Adds --format; the first of `formats` is the default.
-void add_study_formats(CLI::App& command, StudyOptions& options, const std::vector<std::string>& formats);
-
 /// The ledger that the options mean.
 [[nodiscard]] std::filesystem::path ledger_of(const StudyOptions& options, const Study& study);
 
