@@ -6,6 +6,7 @@
 #include <cassert>
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include "bench/brute_force.hpp"
 #include "bench/work.hpp"
@@ -13,6 +14,7 @@
 #include "fit/emulation.hpp"
 #include "fit/fit.hpp"
 #include "fit/misfit_description.hpp"
+#include "fit/models.hpp"
 #include "fit/multistart.hpp"
 #include "fit/uncertainty.hpp"
 
@@ -195,6 +197,97 @@ std::vector<Reference> references_of(const BenchWork& work, const ForwardModel& 
     return references;
 }
 
+/// What the rungs compute by.
+struct LadderModels {
+    Emulator emulator;
+    PathEnsemble ensemble;
+    ForwardModel solver;
+};
+
+/// The fits of every rung but brute force.
+struct LadderFits {
+    TimedFits once;        // recorded paths
+    TimedFits configured;  // recorded paths, as `skinfit fit` searches
+    TimedFits by_solver;
+    TimedFits emulated;
+    TimedFits lean;
+};
+
+LadderModels built_models(const BenchWork& work, BenchResult& result) {
+    const Stopwatch building;
+    Emulator emulator = Emulator::build(emulator_domain(work.problem));
+    result.build = building.elapsed();
+    result.certified_error = emulator.certified_error();
+    return {.emulator = std::move(emulator),
+            .ensemble = recorded(work.problem),
+            .solver = angular_solver(work.problem.only().experiment)};
+}
+
+/// `solved` is how many of the spectra the angular solver fits.
+LadderFits fitted(const BenchWork& work, const LadderModels& models, std::size_t spectra, std::size_t solved,
+                  const BenchListener& tell) {
+    LadderFits fits;
+    const std::uint64_t starts = work.configuration.starts;
+    tell("fitting by the emulator");
+    const BulkFitter fitter(work.problem, models.emulator);
+    fits.lean = timed_fits(work, spectra, [&](const FitProblem& each) {
+        const Eigen::Map<const Eigen::VectorXd> measured(each.only().measured.data(),
+                                                         static_cast<Index>(each.only().measured.size()));
+        const BulkFit fit = fitter.fit(measured);
+        return TimedFit{.values = fit.values, .chi2 = fit.chi2, .evaluations = fit.evaluations};
+    });
+    fits.emulated = timed_fits(work, spectra, [&](const FitProblem& each) {
+        return fit_as_configured(each, models.emulator, models.emulator, starts);
+    });
+    tell("fitting by recorded paths");
+    fits.once = timed_fits(work, spectra, [&](const FitProblem& each) { return fit_once(each, models.ensemble); });
+    const ForwardModel few = cheap_models(work.problem, {models.ensemble}).front();
+    fits.configured = timed_fits(
+        work, solved, [&](const FitProblem& each) { return fit_as_configured(each, models.ensemble, few, starts); });
+    tell("fitting by the angular solver");
+    fits.by_solver = timed_fits(work, solved, [&](const FitProblem& each) { return fit_once(each, models.solver); });
+    return fits;
+}
+
+/// A fit by brute force: some of its evaluations timed, extrapolated to those that BOBYQA takes over recorded paths.
+TimedFits extrapolated_brute_force(const BenchWork& work, const PathEnsemble& ensemble, BenchResult& result) {
+    const FitProblem first = problem_of(work, 0);
+    const BruteForce brute = fit_by_brute_force(first, result.sizes.brute_force_evaluations);
+    const int needed = minimise_by_nlopt(Objective(first, ensemble), Solver::bobyqa, starts(first)).evaluations;
+    result.brute_force_timed = brute.evaluations;
+    result.brute_force_evaluation = {.wall_s = brute.duration.wall_s / brute.evaluations,
+                                     .cpu_s = brute.duration.cpu_s / brute.evaluations};
+    return {{.values = {},
+             .chi2 = brute.chi2,
+             .evaluations = needed,
+             .duration = {.wall_s = result.brute_force_evaluation.wall_s * needed,
+                          .cpu_s = result.brute_force_evaluation.cpu_s * needed}}};
+}
+
+std::vector<BenchRung> rungs_of(const LadderFits& fits, const TimedFits& brute_force, const LadderModels& models) {
+    const double recording_mb = static_cast<double>(models.ensemble.recording().lengths.size_bytes()) / megabyte;
+    const double emulator_mb = megabytes_of(models.emulator);
+    return {
+        rung_of("brute_force", "analog walk traced anew at every evaluation, BOBYQA; extrapolated", brute_force, 0.0),
+        rung_of("paths", "recorded paths, one search by Ceres", fits.once, recording_mb),
+        rung_of("paths_as_fit", "recorded paths, as `skinfit fit` searches", fits.configured, recording_mb),
+        rung_of("solver", "angular solver, one search by Ceres", fits.by_solver, 0.0),
+        rung_of("emulator_as_fit", "emulator, as `skinfit fit` searches", fits.emulated, emulator_mb),
+        rung_of("emulator", "emulator, lean fit of one spectrum (fit/bulk)", fits.lean, emulator_mb)};
+}
+
+/// Of all rungs but brute force, each against the solver's fits of the first `solved` spectra.
+void compare_answers(const BenchWork& work, const ForwardModel& solver, std::size_t solved, const LadderFits& fits,
+                     BenchResult& result) {
+    const std::vector<Reference> references =
+        references_of(work, solver, solved, {fits.lean, fits.emulated, fits.once, fits.configured, fits.by_solver});
+    const std::vector<const TimedFits*> in_order = {&fits.once, &fits.configured, &fits.by_solver, &fits.emulated,
+                                                    &fits.lean};
+    for (std::size_t i = 0; i < in_order.size(); ++i) {
+        result.rungs[i + 1].accuracy = accuracy_of(*in_order[i], references);
+    }
+}
+
 }  // namespace
 
 const BenchRung& rung(const BenchResult& result, std::string_view name) {
@@ -208,77 +301,22 @@ BenchResult measure_ladder(const BenchSizes& sizes, const BenchListener& tell) {
     const Stopwatch whole;
     tell("simulating spectra");
     const BenchWork work = bench_work(sizes.spectra, sizes.rays);
-    const FitProblem& problem = work.problem;
     BenchResult result{};
     result.sizes = sizes;
     result.machine = machine_name();
     result.compiler = "g++ " __VERSION__;
-
     tell("building the models");
-    const Stopwatch building;
-    const Emulator emulator = Emulator::build(emulator_domain(problem));
-    result.build = building.elapsed();
-    result.certified_error = emulator.certified_error();
-    const PathEnsemble ensemble = recorded(problem);
-    const ForwardModel solver = angular_solver(problem.only().experiment);
+    const LadderModels models = built_models(work, result);
     const std::size_t solved = std::min(sizes.spectra, sizes.solver_spectra);
-
-    tell("fitting by the emulator");
-    const LeanFitter fitter(problem, emulator);
-    const TimedFits lean = timed_fits(work, sizes.spectra, [&](const FitProblem& each) {
-        const Eigen::Map<const Eigen::VectorXd> measured(each.only().measured.data(),
-                                                         static_cast<Index>(each.only().measured.size()));
-        const BulkFit fit = fitter.fit(measured);
-        return TimedFit{.values = fit.values, .chi2 = fit.chi2, .evaluations = fit.evaluations};
-    });
-    const TimedFits emulated = timed_fits(work, sizes.spectra, [&](const FitProblem& each) {
-        return fit_as_configured(each, emulator, emulator, work.configuration.starts);
-    });
-    tell("fitting by recorded paths");
-    const TimedFits once =
-        timed_fits(work, sizes.spectra, [&](const FitProblem& each) { return fit_once(each, ensemble); });
-    constexpr std::uint64_t few_rays = 3000;  // as `fit_spectrum`
-    const PathEnsemble few = ensemble.with_about(few_rays);
-    const TimedFits configured = timed_fits(work, solved, [&](const FitProblem& each) {
-        return fit_as_configured(each, ensemble, few, work.configuration.starts);
-    });
-    tell("fitting by the angular solver");
-    const TimedFits by_solver =
-        timed_fits(work, solved, [&](const FitProblem& each) { return fit_once(each, solver); });
-
+    const LadderFits fits = fitted(work, models, sizes.spectra, solved, tell);
     tell("fitting by brute force");
-    const FitProblem first = problem_of(work, 0);
-    const BruteForce brute = fit_by_brute_force(first, sizes.brute_force_evaluations);
-    const Objective first_objective(first, ensemble);
-    const int needed = minimise_by_nlopt(first_objective, Solver::bobyqa, starts(first)).evaluations;
-    result.brute_force_timed = brute.evaluations;
-    result.brute_force_evaluation = {.wall_s = brute.duration.wall_s / brute.evaluations,
-                                     .cpu_s = brute.duration.cpu_s / brute.evaluations};
-    const TimedFits extrapolated = {{.values = {},
-                                     .chi2 = brute.chi2,
-                                     .evaluations = needed,
-                                     .duration = {.wall_s = result.brute_force_evaluation.wall_s * needed,
-                                                  .cpu_s = result.brute_force_evaluation.cpu_s * needed}}};
-
-    const double recording_mb = static_cast<double>(ensemble.recording().lengths.size_bytes()) / megabyte;
-    result.rungs = {
-        rung_of("brute_force", "analog walk traced anew at every evaluation, BOBYQA; extrapolated", extrapolated, 0.0),
-        rung_of("paths", "recorded paths, one search by Ceres", once, recording_mb),
-        rung_of("paths_as_fit", "recorded paths, as `skinfit fit` searches", configured, recording_mb),
-        rung_of("solver", "angular solver, one search by Ceres", by_solver, 0.0),
-        rung_of("emulator_as_fit", "emulator, as `skinfit fit` searches", emulated, megabytes_of(emulator)),
-        rung_of("emulator", "emulator, lean fit of one spectrum (fit/bulk)", lean, megabytes_of(emulator))};
+    result.rungs = rungs_of(fits, extrapolated_brute_force(work, models.ensemble, result), models);
     tell("comparing the answers");
-    const std::vector<Reference> references =
-        references_of(work, solver, solved, {lean, emulated, once, configured, by_solver});
-    const std::vector<const TimedFits*> in_order = {&once, &configured, &by_solver, &emulated, &lean};
-    for (std::size_t i = 0; i < in_order.size(); ++i) {
-        result.rungs[i + 1].accuracy = accuracy_of(*in_order[i], references);
-    }
+    compare_answers(work, models.solver, solved, fits, result);
     tell("measuring one thread and two");
-    measure_threads(work, ensemble, emulator, result);
+    measure_threads(work, models.ensemble, models.emulator, result);
     tell("measuring intervals");
-    result.intervals = measure_intervals(work, emulator, solved);
+    result.intervals = measure_intervals(work, models.emulator, solved);
     result.peak_mb = peak_memory_mb();
     result.whole = whole.elapsed();
     return result;

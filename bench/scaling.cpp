@@ -138,7 +138,7 @@ ScalingPlot against_free_parameters() {
         work.configuration.free[static_cast<std::size_t>(parameter)] = true;
         const FitProblem problem = problem_with(work.configuration, work.problem.only().wavelength_nm);
         lines.measure(problem, ++count);
-        const LeanFitter fitter(problem, Emulator::build(emulator_domain(problem)));
+        const BulkFitter fitter(problem, Emulator::build(emulator_domain(problem)));
         const Eigen::Map<const Eigen::VectorXd> measured(problem.only().measured.data(), work.spectra.rows());
         add(fit, count, cost([&] { (void)fitter.fit(measured); }));
     }

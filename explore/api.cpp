@@ -48,7 +48,7 @@ ApiAnswer error_answer(const std::string& message, int status) {
     return json_answer({{"error", message}}, status);
 }
 
-Api::Api(EnsembleCache cache, std::optional<SpectrumFile> file)
+Api::Api(DiskCache cache, std::optional<SpectrumFile> file)
     : file_(file ? uploaded_json(std::move(*file)) : Json()), jobs_(std::move(cache)) {}
 
 Json Api::vocabulary() const {

@@ -38,7 +38,7 @@ struct ApiAnswer {
 class Api {
 public:
     /// `file`: spectra to begin with. Throws InputError as `uploaded_json`.
-    Api(EnsembleCache cache, std::optional<SpectrumFile> file);
+    Api(DiskCache cache, std::optional<SpectrumFile> file);
 
     [[nodiscard]] ApiAnswer answer(const ApiRequest& request);
 

@@ -55,7 +55,7 @@ struct FitJobs::Job {
         conclude("done", {{"documents", std::move(documents)}});
     }
 
-    void run(const std::stop_token& stop, const EnsembleCache& cache) {
+    void run(const std::stop_token& stop, const DiskCache& cache) {
         const FitWatch watch{.stop = stop, .progress = [this](const FitProgress& now) {
                                  const std::scoped_lock lock(mutex);
                                  progress = now;

@@ -15,7 +15,7 @@ namespace skinfit {
 /// still runs and waits for it.
 class FitJobs {
 public:
-    explicit FitJobs(EnsembleCache cache) : cache_(std::move(cache)) {}
+    explicit FitJobs(DiskCache cache) : cache_(std::move(cache)) {}
 
     /// Starts a fit and returns its name; none while as many run as may at a time. Of the fits that have ended the
     /// latest eight are kept.
@@ -35,7 +35,7 @@ private:
     struct Job;
     void forget_old();
 
-    EnsembleCache cache_;
+    DiskCache cache_;
     mutable std::mutex mutex_;
     std::mutex drawing_;
     int started_ = 0;

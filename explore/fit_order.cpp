@@ -38,7 +38,7 @@ FitOrder fit_order(const Json& request) {
     return {.configuration = std::move(configuration), .source = source, .spectra = std::move(spectra)};
 }
 
-FitResult fitted(const FitOrder& order, const EnsembleCache& cache, const FitWatch& watch) {
+FitResult fitted(const FitOrder& order, const DiskCache& cache, const FitWatch& watch) {
     return fit_spectra(
         order.configuration, order.spectra,
         {.cache = cache, .findings = findings_before_fit(order.configuration, order.spectra), .watch = watch});

@@ -8,7 +8,7 @@
 #include "fit/result.hpp"
 #include "fit/settings.hpp"
 #include "measurements/spectrum.hpp"
-#include "model/ensemble_cache.hpp"
+#include "model/disk_cache.hpp"
 
 namespace skinfit {
 
@@ -24,7 +24,7 @@ struct FitOrder {
 [[nodiscard]] FitOrder fit_order(const Json& request);
 
 /// The order, carried out.
-[[nodiscard]] FitResult fitted(const FitOrder& order, const EnsembleCache& cache, const FitWatch& watch);
+[[nodiscard]] FitResult fitted(const FitOrder& order, const DiskCache& cache, const FitWatch& watch);
 
 /// The documents of a result that the page has at once, and offers for download: "report" is `json_report`, "text"
 /// `text_report`.

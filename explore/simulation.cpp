@@ -106,10 +106,10 @@ Simulation Simulator::simulate(const Configuration& configuration) {
     const std::vector<double> true_nm = true_wavelengths_nm(experiment, bands.wavelength_nm);
     (void)extinctions(true_nm, experiment.edition);  // refuses wavelengths outside the tables before any work
     const Eigen::MatrixXd found = bands.readings(shares(solver_of(experiment), true_nm, measured_side(quantity)));
-    const Instrument& instrument = experiment.values.instrument;
-    const double collected = collected_surface(experiment, quantity);
-    simulation.reading =
-        (instrument.scale * (found.col(viewed) + collected * found.col(surface))).array() + instrument.offset;
+    const ReadingLaw law = reading_law(experiment, quantity);
+    simulation.reading = found.col(viewed).binaryExpr(found.col(surface), [&](double share, double reflected_share) {
+        return law.reading(law.light(share, reflected_share));
+    });
     simulation.surface = found.col(surface);
     simulation.reflected = found.col(reflected);
     simulation.transmitted = found.col(transmitted);

@@ -1,10 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <mutex>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "fit/configuration.hpp"
@@ -13,10 +11,6 @@
 #include "model/spectrophotometer.hpp"
 
 namespace skinfit {
-
-/// The layers, top to bottom, as keys.
-inline constexpr std::array<std::string_view, layer_count> layer_names = {"stratum_corneum", "epidermis",
-                                                                          "papillary_dermis", "reticular_dermis"};
 
 /// What becomes of the light of one described skin, by the angular solver: without noise. Entry i belongs to one
 /// wavelength. The shares of the incident light, as the model has them, add up to 1.

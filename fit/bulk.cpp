@@ -43,6 +43,58 @@ struct Point {
     }
 };
 
+/// What of the free parameters a step leaves alone.
+using Held = std::array<bool, most_free>;
+
+/// The least and the largest step within the box.
+struct StepRange {
+    Vector lowest;
+    Vector highest;
+};
+
+/// From `step` to the minimum of the quadratic model over what is not held.
+Vector change_to_minimum(const Matrix& curvature, const Vector& gradient, const Vector& step, const Held& held) {
+    // Rows and columns of what is held are those of the identity.
+    Matrix matrix = curvature;
+    Vector right = -gradient - curvature * step;
+    for (Index i = 0; i < step.size(); ++i) {
+        if (!held[static_cast<std::size_t>(i)]) continue;
+        matrix.row(i).setZero();
+        matrix.col(i).setZero();
+        matrix(i, i) = 1.0;
+        right[i] = 0.0;
+    }
+    return matrix.llt().solve(right);
+}
+
+/// Adds as much of `change` to `step` as the box allows; what it is that blocks the rest, then at its bound, else -1.
+Index advance(Vector& step, const Vector& change, const StepRange& range) {
+    double share = 1.0;
+    Index blocking = -1;
+    for (Index i = 0; i < step.size(); ++i) {
+        const double room = (change[i] < 0.0 ? range.lowest[i] : range.highest[i]) - step[i];
+        if (std::abs(change[i]) * share <= std::abs(room)) continue;
+        share = room / change[i];
+        blocking = i;
+    }
+    step += share * change;
+    if (blocking >= 0) step[blocking] = change[blocking] < 0.0 ? range.lowest[blocking] : range.highest[blocking];
+    return blocking;
+}
+
+/// Which of what is held `slope` pulls into the box most; -1 where it pulls none.
+Index most_pulled(const Vector& slope, const Vector& step, const StepRange& range, const Held& held) {
+    Index pulled = -1;
+    double pull = 0.0;
+    for (Index i = 0; i < step.size(); ++i) {
+        const double inward = step[i] <= range.lowest[i] ? -slope[i] : slope[i];
+        if (!held[static_cast<std::size_t>(i)] || inward <= pull) continue;
+        pull = inward;
+        pulled = i;
+    }
+    return pulled;
+}
+
 /// The step to the minimum of the quadratic model within the box, `damping` times the diagonal added to its curvature:
 /// a primal active-set method, which lowers the model at every turn.
 Vector bounded_step(const Point& point, double damping) {
@@ -50,48 +102,18 @@ Vector bounded_step(const Point& point, double damping) {
     constexpr double least_curvature = 1e-12;  // of the unit box: a direction without any effect
     Matrix curvature = point.curvature;
     curvature.diagonal() = curvature.diagonal() * (1.0 + damping) + Vector::Constant(size, least_curvature);
-    const Vector lowest = -point.positions;
-    const Vector highest = Vector::Ones(size) - point.positions;
+    const StepRange range{.lowest = -point.positions, .highest = Vector::Ones(size) - point.positions};
     Vector step = Vector::Zero(size);
-    std::array<bool, most_free> held{};
+    Held held{};
     for (Index i = 0; i < size; ++i) held[static_cast<std::size_t>(i)] = point.pressed(i);
     constexpr int most_turns = 10 * most_free;
     for (int turn = 0; turn < most_turns; ++turn) {
-        // The minimum over what is not held: rows and columns of the others are those of the identity.
-        Matrix matrix = curvature;
-        Vector right = -point.gradient - curvature * step;
-        for (Index i = 0; i < size; ++i) {
-            if (!held[static_cast<std::size_t>(i)]) continue;
-            matrix.row(i).setZero();
-            matrix.col(i).setZero();
-            matrix(i, i) = 1.0;
-            right[i] = 0.0;
-        }
-        const Vector change = matrix.llt().solve(right);
-        double share = 1.0;
-        Index blocking = -1;
-        for (Index i = 0; i < size; ++i) {
-            const double room = (change[i] < 0.0 ? lowest[i] : highest[i]) - step[i];
-            if (std::abs(change[i]) * share <= std::abs(room)) continue;
-            share = room / change[i];
-            blocking = i;
-        }
-        step += share * change;
+        const Index blocking = advance(step, change_to_minimum(curvature, point.gradient, step, held), range);
         if (blocking >= 0) {
-            step[blocking] = change[blocking] < 0.0 ? lowest[blocking] : highest[blocking];
             held[static_cast<std::size_t>(blocking)] = true;
             continue;
         }
-        // Let go of what is pulled into the box most.
-        const Vector slope = point.gradient + curvature * step;
-        Index pulled = -1;
-        double pull = 0.0;
-        for (Index i = 0; i < size; ++i) {
-            const double inward = step[i] <= lowest[i] ? -slope[i] : slope[i];
-            if (!held[static_cast<std::size_t>(i)] || inward <= pull) continue;
-            pull = inward;
-            pulled = i;
-        }
+        const Index pulled = most_pulled(point.gradient + curvature * step, step, range, held);
         if (pulled < 0) break;
         held[static_cast<std::size_t>(pulled)] = false;
     }
@@ -173,13 +195,12 @@ BulkFit described(const FitProblem& problem, const Path& path) {
     }
     fit.rmse = std::sqrt(squares / static_cast<double>(point.residuals.size()));
     std::vector<Index> inner;
-    constexpr double touching = 1e-6;  // as `estimate_uncertainty`
     for (Index i = 0; i < size; ++i) {
         Status& status = fit.statuses[static_cast<std::size_t>(i)];
         const Bounds& bounds = problem.free[static_cast<std::size_t>(i)].bounds;
         const double share = (fit.values[static_cast<std::size_t>(i)] - bounds.lower) / (bounds.upper - bounds.lower);
-        if (share <= touching && point.gradient[i] >= 0.0) status = Status::at_lower_bound;
-        if (1.0 - share <= touching && point.gradient[i] <= 0.0) status = Status::at_upper_bound;
+        if (share <= touching_share && point.gradient[i] >= 0.0) status = Status::at_lower_bound;
+        if (1.0 - share <= touching_share && point.gradient[i] <= 0.0) status = Status::at_upper_bound;
         if (status == Status::free) inner.push_back(i);
     }
     if (inner.empty()) return fit;
@@ -216,7 +237,7 @@ BulkFit not_fitted(std::size_t free_count) {
 
 }  // namespace
 
-LeanFitter::LeanFitter(const FitProblem& problem, const Emulator& emulator, const BulkOptions& options)
+BulkFitter::BulkFitter(const FitProblem& problem, const Emulator& emulator, const BulkOptions& options)
     : problem_(&problem),
       options_(options),
       model_(problem, emulator),
@@ -224,7 +245,7 @@ LeanFitter::LeanFitter(const FitProblem& problem, const Emulator& emulator, cons
     assert(options.starts > 0);
 }
 
-BulkFit LeanFitter::fit(const Eigen::VectorXd& spectrum) const {
+BulkFit BulkFitter::fit(const Eigen::VectorXd& spectrum) const {
     assert(spectrum.size() == static_cast<Index>(problem_->only().wavelength_nm.size()));
     const Eigen::VectorXd measured =
         spectrum.cwiseQuotient(Eigen::Map<const Eigen::VectorXd>(problem_->only().sigma.data(), spectrum.size()));
@@ -235,7 +256,7 @@ BulkFit LeanFitter::fit(const Eigen::VectorXd& spectrum) const {
 
 std::vector<BulkFit> fit_in_bulk(const FitProblem& problem, const Emulator& emulator, const Eigen::MatrixXd& spectra,
                                  const BulkOptions& options) {
-    const LeanFitter fitter(problem, emulator, options);
+    const BulkFitter fitter(problem, emulator, options);
     std::vector<BulkFit> fits(static_cast<std::size_t>(spectra.cols()));
     tbb::parallel_for(Index{0}, spectra.cols(),
                       [&](Index column) { fits[static_cast<std::size_t>(column)] = fitter.fit(spectra.col(column)); });

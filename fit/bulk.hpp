@@ -32,10 +32,10 @@ struct BulkOptions {
 /// `FitProblem::measured`. `emulator` must have been built for `emulator_domain(problem)`. Starts where the closest of
 /// some synthetic spectra lie, whatever the starts of the problem. Minimum and covariance are those of `fit_spectrum`
 /// with engine emulator. Refers to the problem, which must outlive it.
-class LeanFitter {
+class BulkFitter {
 public:
     /// Computes the synthetic spectra. Throws InputError as `LeanModel` does.
-    LeanFitter(const FitProblem& problem, const Emulator& emulator, const BulkOptions& options = {});
+    BulkFitter(const FitProblem& problem, const Emulator& emulator, const BulkOptions& options = {});
 
     /// The fit of `spectrum`, fractions at the wavelengths of the problem. One that ends badly has `converged` false; a
     /// spectrum with values that are not finite has none: values, chi2 and rmse are NaN.
@@ -48,7 +48,7 @@ private:
     SyntheticStarts starts_;
 };
 
-/// The fits of a `LeanFitter` of each column of `spectra`, wavelengths x spectra; the same bits for any number of
+/// The fits of a `BulkFitter` of each column of `spectra`, wavelengths x spectra; the same bits for any number of
 /// threads.
 [[nodiscard]] std::vector<BulkFit> fit_in_bulk(const FitProblem& problem, const Emulator& emulator,
                                                const Eigen::MatrixXd& spectra, const BulkOptions& options = {});

@@ -7,7 +7,7 @@
 
 #include "fit/configuration.hpp"
 #include "fit/settings.hpp"
-#include "model/ensemble_cache.hpp"
+#include "model/disk_cache.hpp"
 
 namespace skinfit {
 
@@ -15,7 +15,7 @@ namespace skinfit {
 struct DesignRequest {
     Parameter parameter;
     std::size_t best = 0;  ///< so many wavelengths are chosen; 0: none
-    EnsembleCache cache;
+    DiskCache cache;
 };
 
 /// How small a change of one parameter a spectrum of given noise can show.

@@ -10,14 +10,14 @@
 #include "fit/result.hpp"
 #include "measurements/quality.hpp"
 #include "measurements/spectrum.hpp"
-#include "model/ensemble_cache.hpp"
+#include "model/disk_cache.hpp"
 
 namespace skinfit {
 
 /// What to do beside the fit itself.
 struct FitOptions {
     bool cross_check = false;  ///< also by the other solvers, and compare
-    EnsembleCache cache;
+    DiskCache cache;
     std::vector<Finding> findings{};  ///< on the spectra, for the result: `findings_before_fit`
     /// What gives the models of the problem; unset: `make_models` with `cache`.
     std::function<std::vector<ForwardModel>(const FitProblem&, Engine)> models{};

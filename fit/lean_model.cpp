@@ -27,6 +27,27 @@ void require_plain_squares(const FitProblem& problem) {
     }
 }
 
+/// The derivative of the reading by a parameter of the skin.
+double reading_by(const EmulatedShare& share, const Skin& skin, const Extinction& pigments, Parameter parameter,
+                  double scale) {
+    const PerLayer<double> depth_by = optical_depth_derivative(skin, pigments, parameter);
+    double by = 0.0;
+    for (std::size_t layer = 0; layer < layer_count; ++layer) {
+        by += scale * share.by_optical_depth[layer] * depth_by[layer];
+    }
+    return by;
+}
+
+/// What was modelled at the wavelengths of the model, in bands and in sigmas of each.
+LeanModel::Modelled in_sigmas(LeanModel::Modelled modelled, const Measurement& measurement) {
+    modelled.reading = measurement.bands.readings(std::move(modelled.reading));
+    modelled.jacobian = measurement.bands.readings(std::move(modelled.jacobian));
+    const Eigen::Map<const Eigen::VectorXd> sigma(measurement.sigma.data(), modelled.reading.size());
+    modelled.reading.array() /= sigma.array();
+    modelled.jacobian.array().colwise() /= sigma.array();
+    return modelled;
+}
+
 }  // namespace
 
 using Index = Eigen::Index;
@@ -36,58 +57,41 @@ LeanModel::LeanModel(const FitProblem& problem, Emulator emulator)
       emulator_(std::move(emulator)),
       pigments_(model_wavelengths(problem.only().experiment, problem.only().bands.wavelength_nm).pigments) {
     require_plain_squares(problem);
+    for (const FreeParameter& free : problem.free) of_instrument_.push_back(belongs_to_instrument(free.parameter));
+}
+
+Experiment LeanModel::experiment_at(std::span<const double> positions) const {
+    Experiment experiment = problem_->only().experiment;
+    const std::vector<double> values = from_unit_box(*problem_, positions);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        value_of(experiment.values, problem_->free[i].parameter) = values[i];
+    }
+    return experiment;
 }
 
 LeanModel::Modelled LeanModel::at(std::span<const double> positions) const {
     const Measurement& measurement = problem_->only();
-    Experiment experiment = measurement.experiment;
-    const std::vector<double> values = from_unit_box(*problem_, positions);
+    const Experiment experiment = experiment_at(positions);
     const std::vector<double> slopes = unit_box_slopes(*problem_, positions);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        value_of(experiment.values, problem_->free[i].parameter) = values[i];
-    }
     const Skin& skin = experiment.values.skin;
-    const Instrument& instrument = experiment.values.instrument;
+    const ReadingLaw law = reading_law(experiment, measurement.quantity);
+    const double surface = emulator_.surface_share();
     const std::vector<EmulatedShare> shares = emulator_.respond(optical_depths(skin, pigments_));
-    const bool collects_fraction =
-        measurement.quantity == Quantity::reflectance && experiment.specular == Specular::excluded;
-    const double surface = collected_surface(experiment, measurement.quantity) * emulator_.surface_share();
     Modelled modelled{
         .reading = Eigen::VectorXd(static_cast<Index>(shares.size())),
-        .jacobian = Eigen::MatrixXd(static_cast<Index>(shares.size()), static_cast<Index>(values.size()))};
+        .jacobian = Eigen::MatrixXd(static_cast<Index>(shares.size()), static_cast<Index>(slopes.size()))};
     for (std::size_t i = 0; i < shares.size(); ++i) {
         const auto row = static_cast<Index>(i);
-        const double light = shares[i].share + surface;
-        modelled.reading[row] = instrument.scale * light + instrument.offset;
-        for (std::size_t j = 0; j < values.size(); ++j) {
-            const FreeParameter& free = problem_->free[j];
-            double by = 0.0;
-            switch (free.parameter) {
-                case Parameter::scale:
-                    by = light;
-                    break;
-                case Parameter::offset:
-                    by = 1.0;
-                    break;
-                case Parameter::specular_fraction:
-                    by = collects_fraction ? instrument.scale * emulator_.surface_share() : 0.0;
-                    break;
-                default: {
-                    const PerLayer<double> depth_by = optical_depth_derivative(skin, pigments_[i], free.parameter);
-                    for (std::size_t layer = 0; layer < layer_count; ++layer) {
-                        by += instrument.scale * shares[i].by_optical_depth[layer] * depth_by[layer];
-                    }
-                }
-            }
+        const double light = law.light(shares[i].share, surface);
+        modelled.reading[row] = law.reading(light);
+        for (std::size_t j = 0; j < slopes.size(); ++j) {
+            const Parameter parameter = problem_->free[j].parameter;
+            const double by = of_instrument_[j] ? law.derivative(parameter, light, surface)
+                                                : reading_by(shares[i], skin, pigments_[i], parameter, law.scale);
             modelled.jacobian(row, static_cast<Index>(j)) = by * slopes[j];
         }
     }
-    modelled.reading = measurement.bands.readings(std::move(modelled.reading));
-    modelled.jacobian = measurement.bands.readings(std::move(modelled.jacobian));
-    const Eigen::Map<const Eigen::VectorXd> sigma(measurement.sigma.data(), modelled.reading.size());
-    modelled.reading.array() /= sigma.array();
-    modelled.jacobian.array().colwise() /= sigma.array();
-    return modelled;
+    return in_sigmas(std::move(modelled), measurement);
 }
 
 }  // namespace skinfit

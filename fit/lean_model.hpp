@@ -25,9 +25,12 @@ public:
     [[nodiscard]] Modelled at(std::span<const double> positions) const;
 
 private:
+    [[nodiscard]] Experiment experiment_at(std::span<const double> positions) const;
+
     const FitProblem* problem_;
     Emulator emulator_;
     std::vector<Extinction> pigments_;
+    std::vector<bool> of_instrument_;  // per free parameter
 };
 
 }  // namespace skinfit

@@ -66,15 +66,14 @@ Eigen::MatrixXd MeasurementModel::batch_readings(std::span<const double> values)
     const auto* const ensemble = std::get_if<PathEnsemble>(&model_);
     if (ensemble == nullptr) return Eigen::MatrixXd(static_cast<Index>(measurement().wavelength_nm.size()), 0);
     const Experiment experiment = at(values);
-    const Instrument& instrument = experiment.values.instrument;
-    const double surface = collected_surface(experiment, quantity) * ensemble->surface_share();
+    const ReadingLaw law = reading_law(experiment, quantity);
     const auto shares =
         ensemble->batch_shares(optical_depths(experiment.values.skin, wavelengths_.pigments), measured_side(quantity));
     Eigen::MatrixXd readings(static_cast<Index>(shares.size()), static_cast<Index>(PathEnsemble::batch_count));
     for (Index row = 0; row < readings.rows(); ++row) {
         for (Index batch = 0; batch < readings.cols(); ++batch) {
             const double share = shares[static_cast<std::size_t>(row)][static_cast<std::size_t>(batch)];
-            readings(row, batch) = instrument.scale * (share + surface) + instrument.offset;
+            readings(row, batch) = law.reading(law.light(share, ensemble->surface_share()));
         }
     }
     return measurement().bands.readings(std::move(readings));

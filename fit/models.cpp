@@ -2,10 +2,11 @@
 
 #include "fit/emulation.hpp"
 #include "model/emulator_cache.hpp"
+#include "model/ensemble_cache.hpp"
 
 namespace skinfit {
 
-std::vector<ForwardModel> make_models(const FitProblem& problem, Engine engine, const EnsembleCache& cache,
+std::vector<ForwardModel> make_models(const FitProblem& problem, Engine engine, const DiskCache& cache,
                                       const std::stop_token& stop) {
     std::vector<ForwardModel> models;
     for (std::size_t k = 0; k < problem.measurements.size(); ++k) {

@@ -40,7 +40,7 @@ Linearised linearise(const Objective& objective, const Minimum& minimum) {
 
 /// At a bound where chi2 falls only outwards; otherwise free.
 Status bound_status(const FreeParameter& free, double value, double chi2_slope) {
-    const double touching = 1e-6 * (free.bounds.upper - free.bounds.lower);
+    const double touching = touching_share * (free.bounds.upper - free.bounds.lower);
     if (value - free.bounds.lower <= touching && chi2_slope >= 0.0) return Status::at_lower_bound;
     if (free.bounds.upper - value <= touching && chi2_slope <= 0.0) return Status::at_upper_bound;
     return Status::free;

@@ -12,6 +12,9 @@ namespace skinfit {
 /// What became of a parameter.
 enum class Status { free, fixed, at_lower_bound, at_upper_bound, not_identifiable };
 
+/// How near to a bound, as a share of the distance between the two, a parameter is at it.
+inline constexpr double touching_share = 1e-6;
+
 /// How well the spectrum determines one free parameter.
 struct ParameterUncertainty {
     Status status;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "core/erase_repeated.hpp"
 #include "model/angular_basis.hpp"
@@ -87,11 +88,14 @@ Quadrature piece_rule(const NodeCounts& counts, int power) {
     return rule;
 }
 
-}  // namespace
+/// The nodes of all pieces, and their cosines above the critical one; what happens to the light there is left open.
+struct PlacedNodes {
+    InterfaceNodes nodes;
+    Eigen::ArrayXd above_critical;
+    Eigen::ArrayXd above_critical_by_ratio;
+};
 
-InterfaceNodes interface_nodes(const InterfaceSide& side, const NodeCounts& counts) {
-    const std::vector<Moving> ends = piece_ends(side);
-    const Moving critical = critical_cosine(side);
+PlacedNodes placed_nodes(const std::vector<Moving>& ends, const Moving& critical, const NodeCounts& counts) {
     const Quadrature regular = piece_rule(counts, 1);
     const Quadrature at_critical = piece_rule(counts, 2);
     const Quadrature grazing = piece_rule(counts, 3);
@@ -102,17 +106,18 @@ InterfaceNodes interface_nodes(const InterfaceSide& side, const NodeCounts& coun
         rules.push_back(low == ends.begin() ? &grazing : critical_piece ? &at_critical : &regular);
         count += rules.back()->node.size();
     }
-    InterfaceNodes nodes{.cosine = Eigen::ArrayXd(count),
-                         .weight = Eigen::ArrayXd(count),
-                         .reflectance = Eigen::ArrayXd::Ones(count),
-                         .refracted = {},
-                         .cosine_by_ratio = Eigen::ArrayXd(count),
-                         .weight_by_ratio = Eigen::ArrayXd(count),
-                         .reflectance_by_ratio = Eigen::ArrayXd::Zero(count),
-                         .refracted_by_ratio = {},
-                         .transmitting = 0};
-    Eigen::ArrayXd above(count);
-    Eigen::ArrayXd above_by_ratio(count);
+    PlacedNodes placed{.nodes = {.cosine = Eigen::ArrayXd(count),
+                                 .weight = Eigen::ArrayXd(count),
+                                 .reflectance = Eigen::ArrayXd::Ones(count),
+                                 .refracted = {},
+                                 .cosine_by_ratio = Eigen::ArrayXd(count),
+                                 .weight_by_ratio = Eigen::ArrayXd(count),
+                                 .reflectance_by_ratio = Eigen::ArrayXd::Zero(count),
+                                 .refracted_by_ratio = {},
+                                 .transmitting = 0},
+                       .above_critical = Eigen::ArrayXd(count),
+                       .above_critical_by_ratio = Eigen::ArrayXd(count)};
+    InterfaceNodes& nodes = placed.nodes;
     Eigen::Index first = 0;
     for (std::size_t i = 0; i < rules.size(); ++i) {
         const Moving low = ends[i];
@@ -123,22 +128,33 @@ InterfaceNodes interface_nodes(const InterfaceSide& side, const NodeCounts& coun
         nodes.cosine_by_ratio.segment(first, points) = low.by_ratio + width.by_ratio * rule.node;
         nodes.weight.segment(first, points) = width.value * rule.weight;
         nodes.weight_by_ratio.segment(first, points) = width.by_ratio * rule.weight;
-        above.segment(first, points) = (low.value - critical.value) + width.value * rule.node;
-        above_by_ratio.segment(first, points) = (low.by_ratio - critical.by_ratio) + width.by_ratio * rule.node;
+        placed.above_critical.segment(first, points) = (low.value - critical.value) + width.value * rule.node;
+        placed.above_critical_by_ratio.segment(first, points) =
+            (low.by_ratio - critical.by_ratio) + width.by_ratio * rule.node;
         if (low.value >= critical.value) nodes.transmitting += points;
         first += points;
     }
+    return placed;
+}
+
+}  // namespace
+
+InterfaceNodes interface_nodes(const InterfaceSide& side, const NodeCounts& counts) {
+    const Moving critical = critical_cosine(side);
+    PlacedNodes placed = placed_nodes(piece_ends(side), critical, counts);
+    InterfaceNodes& nodes = placed.nodes;
     if (side.kind == InterfaceKind::mirror) {
         nodes.transmitting = 0;
     } else if (side.kind == InterfaceKind::open) {
-        nodes.transmitting = count;
+        nodes.transmitting = nodes.cosine.size();
         nodes.reflectance.setZero();
         nodes.refracted = nodes.cosine;
         nodes.refracted_by_ratio = nodes.cosine_by_ratio;
     } else {
-        refract(nodes, side.ratio, critical, above.tail(nodes.transmitting), above_by_ratio.tail(nodes.transmitting));
+        refract(nodes, side.ratio, critical, placed.above_critical.tail(nodes.transmitting),
+                placed.above_critical_by_ratio.tail(nodes.transmitting));
     }
-    return nodes;
+    return std::move(nodes);
 }
 
 }  // namespace skinfit

@@ -67,7 +67,7 @@ Eigen::VectorXd AngularSystem::bouncing(std::size_t space) const {
         const RayKind kind = {space + 1, side.layer, opposite(side.heading)};
         const StateBlock& block = grid_->spaces[space + 1].block(kind.layer, kind.heading);
         entering.segment(block.first, block.size) +=
-            starts(kind, nodes.cosine, side.own).transpose() * reflected.matrix();
+            run_starts(*grid_, *medium_, kind, nodes.cosine, side.own).transpose() * reflected.matrix();
     }
     return entering;
 }
@@ -106,7 +106,8 @@ void AngularSystem::add_senders(std::size_t space, const AngularSide& side, Eige
     const Eigen::MatrixXd reflected = senders.transpose() * scaled(nodes.reflectance);
     if (back.space == space) {
         const StateBlock& block = states.block(back.layer, back.heading);
-        rows.middleCols(block.first, block.size) += reflected * starts(back, nodes.cosine, side.own);
+        rows.middleCols(block.first, block.size) +=
+            reflected * run_starts(*grid_, *medium_, back, nodes.cosine, side.own);
     } else {
         payoff += reflected * prospects(back, nodes.cosine, side.own).value;
     }
@@ -120,7 +121,7 @@ void AngularSystem::add_senders(std::size_t space, const AngularSide& side, Eige
     }
     const StateBlock& block = states.block(side.next, side.heading);
     rows.middleCols(block.first, block.size) +=
-        transmitted * starts({space, side.next, side.heading}, nodes.refracted, side.beyond);
+        transmitted * run_starts(*grid_, *medium_, {space, side.next, side.heading}, nodes.refracted, side.beyond);
 }
 
 ArrivingLight AngularSystem::arriving(const RayKind& kind, const Eigen::ArrayXd& cosine,

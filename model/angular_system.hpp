@@ -86,10 +86,6 @@ private:
         Eigen::MatrixXd by_cosine;
         Eigen::MatrixXd by_rayleigh_depth;
     };
-    [[nodiscard]] Eigen::MatrixXd starts(const RayKind& kind, const Eigen::ArrayXd& cosine,
-                                         const Tabulated& polynomials) const {
-        return run_starts(*grid_, *medium_, kind, cosine, polynomials);
-    }
     [[nodiscard]] Prospects prospects(const RayKind& kind, const Eigen::ArrayXd& cosine,
                                       const Tabulated& polynomials) const;
     [[nodiscard]] Prospects prospects_beyond(std::size_t space, const AngularSide& side) const;

@@ -13,13 +13,10 @@
 namespace skinfit {
 namespace {
 
-constexpr PerLayer<std::string_view> layer_names = {"stratum corneum", "epidermis", "papillary dermis",
-                                                    "reticular dermis"};
-
 [[noreturn]] void refuse(std::size_t layer, double depth, double lowest, double highest) {
     throw InputError({.where = "engine emulator",
                       .problem = fmt::format("an optical depth of {:.6g} in the {} lies outside its domain", depth,
-                                             layer_names[layer]),
+                                             layer_in_words(layer)),
                       .why = fmt::format("it was made for {:.6g} to {:.6g}, which follow from the bounds of the free "
                                          "parameters",
                                          lowest, highest),

@@ -48,7 +48,7 @@ std::string ensemble_key(const Sample& sample, const std::vector<double>& wavele
 }
 
 PathEnsemble cached_ensemble(const Sample& sample, const std::vector<double>& wavelengths_nm,
-                             const WalkOptions& options, const EnsembleCache& cache, const std::stop_token& stop) {
+                             const WalkOptions& options, const DiskCache& cache, const std::stop_token& stop) {
     require_memory(wavelengths_nm.size(), options.rays);
     const auto trace = [&] {
         cache.inform(fmt::format("recording {} walks at each of {} wavelengths", options.rays, wavelengths_nm.size()));

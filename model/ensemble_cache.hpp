@@ -9,9 +9,6 @@
 
 namespace skinfit {
 
-/// The cache of ensembles, which holds other things too.
-using EnsembleCache = DiskCache;
-
 /// Everything that decides what is recorded, as text: sample, wavelengths, rays, seed, and the hash of a few rays.
 [[nodiscard]] std::string ensemble_key(const Sample& sample, const std::vector<double>& wavelengths_nm,
                                        const WalkOptions& options);
@@ -21,7 +18,7 @@ using EnsembleCache = DiskCache;
 /// recording that needs more than 70 % of the machine's memory, and Cancelled as `PathEnsemble::trace`; then nothing
 /// has been kept.
 [[nodiscard]] PathEnsemble cached_ensemble(const Sample& sample, const std::vector<double>& wavelengths_nm,
-                                           const WalkOptions& options, const EnsembleCache& cache,
+                                           const WalkOptions& options, const DiskCache& cache,
                                            const std::stop_token& stop = {});
 
 }  // namespace skinfit

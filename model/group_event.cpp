@@ -82,7 +82,7 @@ HWY_INLINE Crossing cross(const MetInterface& interface, Vector cosine, Vector x
 }
 
 /// The interface behind for rays that have `turned`, else that ahead.
-HWY_INLINE Crossing cross_either(const Group& group, Mask turned, Vector cosine, Vector xi) {
+HWY_INLINE Crossing cross_either(const EventGroup& group, Mask turned, Vector cosine, Vector xi) {
     if (group.ahead.kind == MetInterface::Kind::fresnel && group.behind.kind == MetInterface::Kind::fresnel) {
         return refract(either(turned, refraction_of(group.behind), refraction_of(group.ahead)), cosine, xi);
     }
@@ -122,7 +122,7 @@ void try_again(const PolarAngles& polar_angles, const SobolPoints& points, const
     }
 }
 
-void follow_forward(const Group& group, const SobolPoints& points, const RankedNumbers& numbers,
+void follow_forward(const EventGroup& group, const SobolPoints& points, const RankedNumbers& numbers,
                     const GroupRays& rays) {
     const PolarAngles polar_angles(group.stack->forward[static_cast<std::size_t>(group.state.layer)].lookup());
     const FourWords shift = numbers.shift(0);
@@ -146,7 +146,7 @@ void follow_forward(const Group& group, const SobolPoints& points, const RankedN
     }
 }
 
-void follow_in_dermis(const Group& group, const SobolPoints& points, const RankedNumbers& numbers,
+void follow_in_dermis(const EventGroup& group, const SobolPoints& points, const RankedNumbers& numbers,
                       const GroupRays& rays) {
     const FourWords shift = numbers.shift(0);
     const Vector rayleigh_depth = constant(group.stack->rayleigh_depth[static_cast<std::size_t>(group.state.layer)]);
@@ -174,7 +174,8 @@ void follow_in_dermis(const Group& group, const SobolPoints& points, const Ranke
     }
 }
 
-void follow_group(const Group& group, const SobolPoints& points, const RankedNumbers& numbers, const GroupRays& rays) {
+void follow_group(const EventGroup& group, const SobolPoints& points, const RankedNumbers& numbers,
+                  const GroupRays& rays) {
     if (group.state.layer < 2) {
         follow_forward(group, points, numbers, rays);
     } else {
@@ -209,7 +210,7 @@ MetInterface met_interface(const LayerStack& stack, const RayState& from, bool u
 
 }  // namespace
 
-Group group_of(const LayerStack& stack, const RayState& state) {
+EventGroup group_of(const LayerStack& stack, const RayState& state) {
     return {.stack = &stack,
             .state = state,
             .asks = asks_for_rayleigh(stack.edition, !state.upward, state.bounced),
@@ -219,7 +220,8 @@ Group group_of(const LayerStack& stack, const RayState& state) {
 
 HWY_EXPORT(follow_group);
 
-void follow_group(const Group& group, const SobolPoints& points, const RankedNumbers& numbers, const GroupRays& rays) {
+void follow_group(const EventGroup& group, const SobolPoints& points, const RankedNumbers& numbers,
+                  const GroupRays& rays) {
     HWY_DYNAMIC_DISPATCH(follow_group)(group, points, numbers, rays);
 }
 

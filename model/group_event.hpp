@@ -50,14 +50,14 @@ struct MetInterface {
 };
 
 /// What all rays of a group have in common at an event.
-struct Group {
+struct EventGroup {
     const LayerStack* stack;
     RayState state;
     bool asks;            ///< for a Rayleigh test
     MetInterface ahead;   ///< in the direction of travel
     MetInterface behind;  ///< met by rays that Rayleigh scattering has turned back
 };
-[[nodiscard]] Group group_of(const LayerStack& stack, const RayState& state);
+[[nodiscard]] EventGroup group_of(const LayerStack& stack, const RayState& state);
 
 /// The arrays of a group's rays, in their order. All are readable, and the results writable, for `SobolPoints::slack`
 /// elements beyond `count`; what is written there is rubbish.
@@ -72,6 +72,7 @@ struct GroupRays {
 
 /// One event of every ray of a group: `RandomWalk::follow_event` without absorption, on as many rays at once as the
 /// machine's vectors hold. The same bits on every machine.
-void follow_group(const Group& group, const SobolPoints& points, const RankedNumbers& numbers, const GroupRays& rays);
+void follow_group(const EventGroup& group, const SobolPoints& points, const RankedNumbers& numbers,
+                  const GroupRays& rays);
 
 }  // namespace skinfit

@@ -22,7 +22,7 @@ using KeyCounts = std::array<std::uint32_t, order_key_count + 1>;
 
 std::vector<RecordedRay> record_batch(const LayerStack& stack, const RecordedBatch& batch, const SobolPoints& points,
                                       const std::stop_token& stop) {
-    std::vector<Group> groups;
+    std::vector<EventGroup> groups;
     for (int state = 0; state < 4 * stack.layers; ++state) groups.push_back(group_of(stack, state_of(state)));
     std::vector<RecordedRay> recorded(batch.rays);
     Order now(batch.rays);

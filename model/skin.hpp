@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
+#include <string_view>
 
 namespace skinfit {
 
@@ -12,6 +14,13 @@ inline constexpr std::size_t layer_count = 4;
 /// One value per layer, top to bottom.
 template <class Value>
 using PerLayer = std::array<Value, layer_count>;
+
+/// As JSON keys and reports have them.
+inline constexpr PerLayer<std::string_view> layer_names = {"stratum_corneum", "epidermis", "papillary_dermis",
+                                                           "reticular_dermis"};
+
+/// The name of a layer as sentences have it, without underscores.
+[[nodiscard]] std::string layer_in_words(std::size_t layer);
 
 /// Which reading of the paper is computed; `model/REFERENCES.md` lists where the two differ.
 enum class Edition {

@@ -68,8 +68,6 @@ std::vector<LightShares> light_budget(const Experiment& experiment, const std::v
 }
 
 std::vector<LightFate> light_fates(const std::vector<LightShares>& budget) {
-    constexpr std::array<std::string_view, layer_count> layers = {"stratum corneum", "epidermis", "papillary dermis",
-                                                                  "reticular dermis"};
     constexpr std::array<std::string_view, layer_count> colours = {"#e8cf9c", "#7f5539", "#e07a6a", "#a4243b"};
     std::vector<LightFate> fates;
     const auto add = [&](const std::string& name, std::string_view colour, const auto& share_of) {
@@ -78,7 +76,7 @@ std::vector<LightFate> light_fates(const std::vector<LightShares>& budget) {
         if (*std::ranges::max_element(fate.share) > 0.0) fates.push_back(std::move(fate));
     };
     for (std::size_t layer = 0; layer < layer_count; ++layer) {
-        add("absorbed: " + std::string(layers[layer]), colours[layer],
+        add("absorbed: " + layer_in_words(layer), colours[layer],
             [layer](const LightShares& shares) { return shares.absorbed[layer]; });
     }
     add("transmitted", "#5b8db8", [](const LightShares& shares) { return shares.transmitted; });

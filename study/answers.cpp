@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "study/belief.hpp"
+#include "study/marginal.hpp"
 
 namespace skinfit {
 namespace {
@@ -19,10 +19,10 @@ const IndexValue* index_of(const LedgerRow& row, const std::string& name) {
     return found == row.studied.indices.end() ? nullptr : &*found;
 }
 
-std::optional<Belief> belief_in(const LedgerRow& row, const std::string& quantity) {
+std::optional<Marginal> marginal_in(const LedgerRow& row, const std::string& quantity) {
     if (!has_answer(row.studied.status)) return std::nullopt;
-    if (const ParameterEstimate* const parameter = parameter_of(row, quantity)) return belief_of(*parameter);
-    if (const IndexValue* const index = index_of(row, quantity)) return belief_of(*index);
+    if (const ParameterEstimate* const parameter = parameter_of(row, quantity)) return marginal_of(*parameter);
+    if (const IndexValue* const index = index_of(row, quantity)) return marginal_of(*index);
     return std::nullopt;
 }
 
@@ -31,7 +31,7 @@ bool matches(const Metadata& metadata, const Metadata& wanted) {
 }
 
 /// What is believed of the reference of each specimen.
-using References = std::map<std::string, std::vector<Belief>>;
+using References = std::map<std::string, std::vector<Marginal>>;
 
 References references_of(const Indicator& indicator, const std::vector<LedgerRow>& rows) {
     References references;
@@ -39,8 +39,8 @@ References references_of(const Indicator& indicator, const std::vector<LedgerRow
     for (const LedgerRow& row : rows) {
         const std::string specimen = word_of(row.metadata, indicator.reference->same);
         if (specimen.empty() || !matches(row.metadata, indicator.reference->where)) continue;
-        const std::optional<Belief> belief = belief_in(row, indicator.quantity);
-        if (belief) references[specimen].push_back(*belief);
+        const std::optional<Marginal> marginal = marginal_in(row, indicator.quantity);
+        if (marginal) references[specimen].push_back(*marginal);
     }
     return references;
 }
@@ -49,19 +49,19 @@ IndicatorAnswer answer(const Indicator& indicator, const LedgerRow& row, const R
     if (!has_answer(row.studied.status)) {
         return {.probability = {}, .why_none = std::string(name_of(row.studied.status))};
     }
-    const std::optional<Belief> belief = belief_in(row, indicator.quantity);
-    if (!belief) {
+    const std::optional<Marginal> marginal = marginal_in(row, indicator.quantity);
+    if (!marginal) {
         const bool known = parameter_of(row, indicator.quantity) != nullptr;
         return {.probability = {}, .why_none = indicator.quantity + (known ? " is not identifiable" : " is not known")};
     }
     double above = 0.0;
     if (indicator.threshold) {
-        above = belief->probability_above(*indicator.threshold);
+        above = marginal->probability_above(*indicator.threshold);
     } else {
         const auto found = references.find(word_of(row.metadata, indicator.reference->same));
         if (found == references.end()) return {.probability = {}, .why_none = "no reference of the same specimen"};
         if (matches(row.metadata, indicator.reference->where)) return {.probability = {}, .why_none = "a reference"};
-        for (const Belief& reference : found->second) above += belief->probability_above(reference);
+        for (const Marginal& reference : found->second) above += marginal->probability_above(reference);
         above /= static_cast<double>(found->second.size());
     }
     return {.probability = indicator.above ? above : 1.0 - above, .why_none = {}};

@@ -64,7 +64,7 @@ SimulatedSubject measured(const Survey& survey, std::size_t group, std::uint64_t
 
 }  // namespace
 
-SimulatedCohort simulate(const Cohort& cohort, const EnsembleCache& cache) {
+SimulatedCohort simulate(const Cohort& cohort, const DiskCache& cache) {
     SimulatedCohort simulated{.wavelength_nm = blank_spectrum(cohort.configuration).wavelength_nm, .subjects = {}};
     std::optional<Eigen::MatrixXd> root;
     if (cohort.configuration.discrepancy) {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "model/ensemble_cache.hpp"
+#include "model/disk_cache.hpp"
 #include "study/cohort.hpp"
 
 namespace skinfit {
@@ -29,6 +29,6 @@ struct SimulatedCohort {
 /// The random numbers of a subject depend on seed, name of the group and number of the subject alone: they stay the
 /// same on any number of threads, and when groups, subjects or repeats are added. Progress of what has to be built
 /// first goes to `cache`. Throws InputError where the engine cannot compute what the cohort asks for.
-[[nodiscard]] SimulatedCohort simulate(const Cohort& cohort, const EnsembleCache& cache);
+[[nodiscard]] SimulatedCohort simulate(const Cohort& cohort, const DiskCache& cache);
 
 }  // namespace skinfit

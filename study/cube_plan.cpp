@@ -64,7 +64,7 @@ CubeEntry planned(const StudyCube& cube) {
     return entry;
 }
 
-void write_map(const Ledger& ledger, const Study& study, const StudyCube& cube, const EnsembleCache& cache) {
+void write_map(const Ledger& ledger, const Study& study, const StudyCube& cube, const DiskCache& cache) {
     const SpectralCube opened(cube.path, cube.unit);
     const PixelFitter fitter(configuration_of(study), common_spectrum(opened), cache);
     const std::filesystem::path folder = study.output / "maps";

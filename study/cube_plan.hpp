@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/ensemble_cache.hpp"
+#include "model/disk_cache.hpp"
 #include "study/cube_ledger.hpp"
 #include "study/study.hpp"
 
@@ -16,6 +16,6 @@ namespace skinfit {
 
 /// Writes the map of a cube whose tiles are all done into `folder`, with its pictures, and notes that in the ledger.
 /// Throws InputError when they cannot be written.
-void write_map(const Ledger& ledger, const Study& study, const StudyCube& cube, const EnsembleCache& cache);
+void write_map(const Ledger& ledger, const Study& study, const StudyCube& cube, const DiskCache& cache);
 
 }  // namespace skinfit

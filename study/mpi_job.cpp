@@ -74,7 +74,7 @@ MpiJob::~MpiJob() {
     MPI_Finalize();
 }
 
-RemoteCrews MpiJob::followers() {
+RemoteWorkers MpiJob::followers() {
     return {.receive = [this] { return receive(); },
             .give = [this](std::size_t number, const std::string& task) { return give(number, task); }};
 }
@@ -103,8 +103,8 @@ bool MpiJob::give(std::size_t number, const std::string& task) {
     return false;
 }
 
-void MpiJob::follow(ThreadCrew& crew) const {
-    send(leader, ask_tag, addressed(crew.capacity(), {}));
+void MpiJob::follow(WorkerThreads& threads) const {
+    send(leader, ask_tag, addressed(threads.capacity(), {}));
     while (true) {
         if (const std::optional<Message> message = arrived()) {
             if (message->tag == dismissal_tag) {
@@ -112,9 +112,9 @@ void MpiJob::follow(ThreadCrew& crew) const {
                 return;
             }
             const DoneTask task = taken_apart(message->bytes);
-            crew.give(task.number, task.result);
+            threads.give(task.number, task.result);
         }
-        if (const std::optional<DoneTask> done = crew.take(std::chrono::milliseconds(1))) {
+        if (const std::optional<DoneTask> done = threads.take(std::chrono::milliseconds(1))) {
             send(leader, result_tag, addressed(done->number, done->result));
         }
     }

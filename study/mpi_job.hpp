@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "study/crew.hpp"
+#include "study/worker_threads.hpp"
 
 namespace skinfit {
 
@@ -23,10 +23,10 @@ public:
     [[nodiscard]] bool leads() const { return rank_ == 0; }
 
     /// The followers, for the leader. Calls must come from the thread that made this.
-    [[nodiscard]] RemoteCrews followers();
+    [[nodiscard]] RemoteWorkers followers();
 
     /// Does what the leader gives until it dismisses this process.
-    void follow(ThreadCrew& crew) const;
+    void follow(WorkerThreads& threads) const;
 
 private:
     [[nodiscard]] std::vector<DoneTask> receive();

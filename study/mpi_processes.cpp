@@ -8,11 +8,11 @@ std::optional<StudyRun> run_study_together(const Study& study, const StudyRunOpt
     if (launched_processes() == 1) return run_study(study, options);
     MpiJob job;
     if (!job.leads()) {
-        ThreadCrew crew(options.jobs, study_worker(study, options.cache));
-        job.follow(crew);
+        WorkerThreads threads(options.jobs, study_worker(study, options.cache));
+        job.follow(threads);
         return std::nullopt;
     }
-    const RemoteCrews followers = job.followers();
+    const RemoteWorkers followers = job.followers();
     StudyRunOptions together = options;
     together.remote = &followers;
     return run_study(study, together);

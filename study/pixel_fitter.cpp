@@ -53,7 +53,7 @@ std::optional<double> improbable_chi2(const FitProblem& problem) {
     return boost::math::quantile(boost::math::complement(law, improbable));
 }
 
-LeanFitter fitter_of(const FitProblem& problem, const EnsembleCache& cache) {
+BulkFitter fitter_of(const FitProblem& problem, const DiskCache& cache) {
     const std::vector<ForwardModel> models = make_models(problem, Engine::emulator, cache);
     return {problem, std::get<Emulator>(models.front()), pixel_options};
 }
@@ -82,7 +82,7 @@ PixelFit without_numbers(FitStatus status, PixelReason reason, std::size_t free_
 
 }  // namespace
 
-PixelFitter::PixelFitter(const Configuration& configuration, const Spectrum& common, const EnsembleCache& cache)
+PixelFitter::PixelFitter(const Configuration& configuration, const Spectrum& common, const DiskCache& cache)
     : configuration_(for_pixels(configuration)),
       common_(common),
       problem_(problem_of(configuration_, common)),

@@ -11,7 +11,7 @@
 #include "fit/configuration.hpp"
 #include "fit/problem.hpp"
 #include "measurements/spectrum.hpp"
-#include "model/ensemble_cache.hpp"
+#include "model/disk_cache.hpp"
 #include "study/fit_status.hpp"
 
 namespace skinfit {
@@ -72,7 +72,7 @@ class PixelFitter {
 public:
     /// `common` is `common_spectrum` of the cube. Throws InputError as `make_problem` and `LeanModel`, and for another
     /// method of uncertainty than covariance.
-    PixelFitter(const Configuration& configuration, const Spectrum& common, const EnsembleCache& cache);
+    PixelFitter(const Configuration& configuration, const Spectrum& common, const DiskCache& cache);
     PixelFitter(const PixelFitter&) = delete;
     PixelFitter& operator=(const PixelFitter&) = delete;
 
@@ -92,7 +92,7 @@ private:
     FitProblem problem_;
     std::vector<std::size_t> fitted_;        ///< of the wavelengths of the cube
     std::optional<double> improbable_chi2_;  ///< exceeded with probability `improbable`; unset: no degree of freedom
-    LeanFitter fitter_;
+    BulkFitter fitter_;
 };
 
 }  // namespace skinfit

@@ -72,7 +72,7 @@ StudiedSpectrum described(const FitResult& result) {
 
 }  // namespace
 
-SpectrumFitter::SpectrumFitter(const Study& study, const EnsembleCache& cache)
+SpectrumFitter::SpectrumFitter(const Study& study, const DiskCache& cache)
     : study_(&study), cache_(cache), shelf_(cache) {}
 
 StudiedSpectrum SpectrumFitter::fit_it(const Spectrum& spectrum) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit/model_shelf.hpp"
+#include "fit/model_cache.hpp"
 #include "measurements/spectrum.hpp"
 #include "study/studied_spectrum.hpp"
 #include "study/study.hpp"
@@ -11,7 +11,7 @@ namespace skinfit {
 class SpectrumFitter {
 public:
     /// Refers to the study, which must outlive it.
-    SpectrumFitter(const Study& study, const EnsembleCache& cache);
+    SpectrumFitter(const Study& study, const DiskCache& cache);
 
     /// The answer for one spectrum; never throws for what is wrong with it:
     ///   rejected where `findings_before_fit` has a warning that the study does not accept;
@@ -24,8 +24,8 @@ private:
     [[nodiscard]] StudiedSpectrum fit_it(const Spectrum& spectrum);
 
     const Study* study_;
-    EnsembleCache cache_;
-    ModelShelf shelf_;
+    DiskCache cache_;
+    ModelCache shelf_;
 };
 
 }  // namespace skinfit

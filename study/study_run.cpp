@@ -217,8 +217,8 @@ StudyRun run_study(const Study& study, const StudyRunOptions& options) {
         if (!options.part) write_maps(study, ledger, options);
     };
     {
-        ThreadCrew crew(options.jobs, study_worker(study, options.cache));
-        const std::size_t done = lead(crew,
+        WorkerThreads threads(options.jobs, study_worker(study, options.cache));
+        const std::size_t done = lead(threads,
                                       {.tasks = tasks.size(),
                                        .text = [&](std::size_t number) { return bytes_of(tasks[number]); },
                                        .take =

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "model/ensemble_cache.hpp"
-#include "study/crew.hpp"
+#include "model/disk_cache.hpp"
 #include "study/ledger.hpp"
 #include "study/study.hpp"
+#include "study/worker_threads.hpp"
 
 namespace skinfit {
 
@@ -31,13 +31,13 @@ struct StudyProgress {
 
 struct StudyRunOptions {
     int jobs = 1;  ///< threads
-    EnsembleCache cache;
+    DiskCache cache;
     std::optional<StudyPart> part{};  ///< unset: all of it
     std::filesystem::path ledger;     ///< `ledger_path` of the study, or one of its own for a part
     std::function<void(const StudyProgress&)> progress;
     std::function<void(const std::string&)> tell;  ///< what happened, a line each
     std::function<bool()> stop;                    ///< whether to end early, with what has begun finished
-    const RemoteCrews* remote = nullptr;           ///< other processes that run `study_worker` of the same study
+    const RemoteWorkers* remote = nullptr;         ///< other processes that run `study_worker` of the same study
 };
 
 /// What a run did.
@@ -56,7 +56,7 @@ struct StudyRun {
 [[nodiscard]] std::string configuration_hash_of(const Study& study);
 
 /// Does the tasks of a run of the study; the same in every process. `study` must outlive it.
-[[nodiscard]] Worker study_worker(const Study& study, const EnsembleCache& cache);
+[[nodiscard]] Worker study_worker(const Study& study, const DiskCache& cache);
 
 /// Fits whatever of the study has not been fitted, and keeps each answer in the ledger as soon as it is there. Whatever
 /// ends the program, running it again goes on where it was. Throws InputError where the ledger is in use or cannot be

@@ -16,7 +16,7 @@ namespace {
 /// What the tasks of a study share in one process.
 class Workshop {
 public:
-    Workshop(const Study& study, const EnsembleCache& cache) : study_(study), cache_(cache), fitter_(study, cache) {}
+    Workshop(const Study& study, const DiskCache& cache) : study_(study), cache_(cache), fitter_(study, cache) {}
 
     SpectraDone fit(const SpectraTask& task) {
         const std::shared_ptr<const StudySpectra> read = spectra_of(task.file);
@@ -72,7 +72,7 @@ private:
     }
 
     const Study& study_;
-    EnsembleCache cache_;
+    DiskCache cache_;
     SpectrumFitter fitter_;
     std::mutex mutex_;
     std::map<std::size_t, std::shared_ptr<const StudySpectra>> files_;
@@ -81,7 +81,7 @@ private:
 
 }  // namespace
 
-Worker study_worker(const Study& study, const EnsembleCache& cache) {
+Worker study_worker(const Study& study, const DiskCache& cache) {
     const auto workshop = std::make_shared<Workshop>(study, cache);
     return [workshop](const std::string& text) {
         const StudyTask task = task_in(text);

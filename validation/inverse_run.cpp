@@ -45,7 +45,7 @@ Configuration study_configuration() {
 }
 
 InverseStudy run_inverse_study(const Configuration& configuration, Engine simulator, RecoveryDesign design,
-                               const EnsembleCache& cache, const RecoveryWatch& watch) {
+                               const DiskCache& cache, const RecoveryWatch& watch) {
     if (configuration.discrepancy) {
         throw InputError({.where = "discrepancy",
                           .problem = "no recovery study with one",

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fit/configuration.hpp"
-#include "model/ensemble_cache.hpp"
+#include "model/disk_cache.hpp"
 #include "validation/inverse_study.hpp"
 
 namespace skinfit {
@@ -21,7 +21,7 @@ struct InverseStudy {
 /// Engine::paths, by an analog walk with a seed for each where it is Engine::walk, whose own noise counts as noise.
 /// Throws InputError as `make_problem` does, and for a discrepancy, which is not simulated.
 [[nodiscard]] InverseStudy run_inverse_study(const Configuration& configuration, Engine simulator,
-                                             RecoveryDesign design, const EnsembleCache& cache,
+                                             RecoveryDesign design, const DiskCache& cache,
                                              const RecoveryWatch& watch = {});
 
 }  // namespace skinfit

@@ -1,4 +1,4 @@
-#include "fit/model_shelf.hpp"
+#include "fit/model_cache.hpp"
 
 #include <gtest/gtest.h>
 
@@ -43,8 +43,8 @@ bool read_the_same(const FitProblem& problem, const std::vector<ForwardModel>& a
     return one.residual == other.residual && one.jacobian == other.jacobian;
 }
 
-/// Whatever a problem asks for, the shelf gives what `make_models` makes, also after it has served other problems.
-TEST(ModelShelf, GivesTheModelsOfTheProblem) {
+/// Whatever a problem asks for, the cache gives what `make_models` makes, also after it has served other problems.
+TEST(ModelCache, GivesTheModelsOfTheProblem) {
     using Change = std::function<void(Configuration&, Spectrum&)>;
     const std::vector<Change> changes = {
         [](Configuration&, Spectrum&) {},
@@ -58,7 +58,7 @@ TEST(ModelShelf, GivesTheModelsOfTheProblem) {
         [](Configuration&, Spectrum& s) { s.wavelength_nm.back() = 605; },
         [](Configuration&, Spectrum& s) { s.value.back() = 0.35; }};
     for (const Engine engine : {Engine::paths, Engine::solver}) {
-        ModelShelf shelf(no_cache());
+        ModelCache cache(no_cache());
         for (int round = 0; round < 2; ++round) {
             for (std::size_t i = 0; i < changes.size(); ++i) {
                 Configuration configuration = base(engine);
@@ -66,26 +66,26 @@ TEST(ModelShelf, GivesTheModelsOfTheProblem) {
                 changes[i](configuration, spectrum);
                 const FitProblem problem = problem_of(configuration, spectrum);
                 EXPECT_TRUE(
-                    read_the_same(problem, shelf.models(problem, engine), make_models(problem, engine, no_cache())))
+                    read_the_same(problem, cache.models(problem, engine), make_models(problem, engine, no_cache())))
                     << "change " << i << ", round " << round;
             }
         }
     }
 }
 
-TEST(ModelShelf, GivesTheEmulatorOfTheProblem) {
-    ModelShelf shelf(no_cache());
+TEST(ModelCache, GivesTheEmulatorOfTheProblem) {
+    ModelCache cache(no_cache());
     for (const double incidence_deg : {8.0, 45.0, 8.0}) {
         Configuration configuration = base(Engine::emulator);
         configuration.incidence_deg = incidence_deg;
         const FitProblem problem = problem_of(configuration, example());
-        EXPECT_TRUE(read_the_same(problem, shelf.models(problem, Engine::emulator),
+        EXPECT_TRUE(read_the_same(problem, cache.models(problem, Engine::emulator),
                                   make_models(problem, Engine::emulator, no_cache())));
     }
 }
 
 /// The comparison can fail: walks of another seed read differently.
-TEST(ModelShelf, OtherWalksReadDifferently) {
+TEST(ModelCache, OtherWalksReadDifferently) {
     Configuration configuration = base(Engine::paths);
     const FitProblem problem = problem_of(configuration, example());
     configuration.seed = 2;
@@ -95,17 +95,17 @@ TEST(ModelShelf, OtherWalksReadDifferently) {
 }
 
 /// Of ten requests at once, in two kinds, each gets its own.
-TEST(ModelShelf, ServesThreadsAtOnce) {
+TEST(ModelCache, ServesThreadsAtOnce) {
     Configuration configuration = base(Engine::paths);
     const FitProblem one = problem_of(configuration, example());
     configuration.incidence_deg = 45;
     const FitProblem other = problem_of(configuration, example());
-    ModelShelf shelf(no_cache());
+    ModelCache cache(no_cache());
     std::vector<std::vector<ForwardModel>> given(10);
     {
         std::vector<std::jthread> threads;
         for (std::size_t i = 0; i < given.size(); ++i) {
-            threads.emplace_back([&, i] { given[i] = shelf.models(i % 2 == 0 ? one : other, Engine::paths); });
+            threads.emplace_back([&, i] { given[i] = cache.models(i % 2 == 0 ? one : other, Engine::paths); });
         }
     }
     for (std::size_t i = 0; i < given.size(); ++i) {

@@ -12,9 +12,9 @@ namespace skinfit {
 
 /// Walks and emulators in memory, for many fits that share them. May be used from any thread; a model that two of them
 /// want at once is made once.
-class ModelShelf {
+class ModelCache {
 public:
-    explicit ModelShelf(EnsembleCache cache) : cache_(std::move(cache)) {}
+    explicit ModelCache(DiskCache cache) : cache_(std::move(cache)) {}
 
     /// As `make_models`, with what was made for an earlier problem where that fits this one.
     [[nodiscard]] std::vector<ForwardModel> models(const FitProblem& problem, Engine engine);
@@ -25,7 +25,7 @@ private:
         std::vector<ForwardModel> models;
     };
 
-    EnsembleCache cache_;
+    DiskCache cache_;
     std::mutex mutex_;
     std::map<std::string, std::shared_ptr<Place>> places_;
 };

@@ -1,4 +1,4 @@
-#include "fit/model_shelf.hpp"
+#include "fit/model_cache.hpp"
 
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@ std::string key_of(const FitProblem& problem, Engine engine) {
 
 }  // namespace
 
-std::vector<ForwardModel> ModelShelf::models(const FitProblem& problem, Engine engine) {
+std::vector<ForwardModel> ModelCache::models(const FitProblem& problem, Engine engine) {
     // Solvers cost next to nothing to make, and depend on more than the key holds.
     if (engine == Engine::solver) return make_models(problem, engine, cache_);
     const std::string key = key_of(problem, engine);

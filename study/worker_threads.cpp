@@ -1,20 +1,20 @@
-#include "study/crew.hpp"
+#include "study/worker_threads.hpp"
 
 #include <utility>
 
 namespace skinfit {
 
-ThreadCrew::ThreadCrew(int threads, Worker work) : work_(std::move(work)) {
+WorkerThreads::WorkerThreads(int threads, Worker work) : work_(std::move(work)) {
     for (int i = 0; i < threads; ++i) {
         threads_.emplace_back([this](const std::stop_token& stop) { work_off(stop); });
     }
 }
 
-ThreadCrew::~ThreadCrew() {
+WorkerThreads::~WorkerThreads() {
     for (std::jthread& thread : threads_) thread.request_stop();
 }
 
-void ThreadCrew::work_off(const std::stop_token& stop) {
+void WorkerThreads::work_off(const std::stop_token& stop) {
     while (true) {
         std::pair<std::size_t, std::string> task;
         {
@@ -32,7 +32,7 @@ void ThreadCrew::work_off(const std::stop_token& stop) {
     }
 }
 
-void ThreadCrew::give(std::size_t number, std::string task) {
+void WorkerThreads::give(std::size_t number, std::string task) {
     {
         const std::lock_guard lock(mutex_);
         tasks_.emplace_back(number, std::move(task));
@@ -41,7 +41,7 @@ void ThreadCrew::give(std::size_t number, std::string task) {
     given_.notify_one();
 }
 
-std::optional<DoneTask> ThreadCrew::take(std::chrono::milliseconds patience) {
+std::optional<DoneTask> WorkerThreads::take(std::chrono::milliseconds patience) {
     std::unique_lock lock(mutex_);
     if (!done_.wait_for(lock, patience, [this] { return !results_.empty(); })) return std::nullopt;
     DoneTask done = std::move(results_.front());
@@ -50,7 +50,7 @@ std::optional<DoneTask> ThreadCrew::take(std::chrono::milliseconds patience) {
     return done;
 }
 
-std::size_t lead(ThreadCrew& crew, const Leading& leading, const RemoteCrews* remote) {
+std::size_t lead(WorkerThreads& threads, const Leading& leading, const RemoteWorkers* remote) {
     using std::chrono_literals::operator""ms;
     std::size_t next = 0;
     std::size_t done = 0;
@@ -61,8 +61,8 @@ std::size_t lead(ThreadCrew& crew, const Leading& leading, const RemoteCrews* re
     while (true) {
         const bool more = next < leading.tasks && !leading.stop();
         if (!more && done == next) return done;
-        if (more && crew.outstanding() < crew.capacity()) {
-            crew.give(next, leading.text(next));
+        if (more && threads.outstanding() < threads.capacity()) {
+            threads.give(next, leading.text(next));
             ++next;
             continue;
         }
@@ -73,7 +73,7 @@ std::size_t lead(ThreadCrew& crew, const Leading& leading, const RemoteCrews* re
                 continue;
             }
         }
-        if (const std::optional<DoneTask> task = crew.take(remote == nullptr ? 50ms : 1ms)) take(*task);
+        if (const std::optional<DoneTask> task = threads.take(remote == nullptr ? 50ms : 1ms)) take(*task);
     }
 }
 

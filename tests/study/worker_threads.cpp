@@ -1,4 +1,4 @@
-#include "study/crew.hpp"
+#include "study/worker_threads.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,11 +35,11 @@ struct Taken {
     }
 };
 
-/// Crews elsewhere that ask `asking` times for tasks at first, and answer the last task first.
-class FakeCrews {
+/// Workers elsewhere that ask `asking` times for tasks at first, and answer the last task first.
+class FakeWorkers {
 public:
-    explicit FakeCrews(int asking) : waiting_(asking) {}
-    [[nodiscard]] RemoteCrews crews() {
+    explicit FakeWorkers(int asking) : waiting_(asking) {}
+    [[nodiscard]] RemoteWorkers workers() {
         return {.receive =
                     [this] {
                         std::vector<DoneTask> done;
@@ -64,81 +64,81 @@ private:
     std::vector<DoneTask> tasks_;
 };
 
-TEST(Crew, DoesEveryTaskOnce) {
+TEST(WorkerThreads, DoesEveryTaskOnce) {
     for (const int threads : {1, 2, 7}) {
         for (const std::size_t tasks : {0U, 1U, 3U, 500U}) {
-            ThreadCrew crew(threads, doubled);
+            WorkerThreads here(threads, doubled);
             Taken taken(tasks);
-            EXPECT_EQ(lead(crew, taken.leading(), nullptr), tasks);
+            EXPECT_EQ(lead(here, taken.leading(), nullptr), tasks);
             taken.expect_each_once();
-            EXPECT_EQ(crew.outstanding(), 0U);
+            EXPECT_EQ(here.outstanding(), 0U);
         }
     }
 }
 
-TEST(Crew, SharesTasksWithCrewsElsewhere) {
-    FakeCrews elsewhere(3);
-    const RemoteCrews crews = elsewhere.crews();
-    ThreadCrew crew(2, doubled);
+TEST(WorkerThreads, SharesTasksWithWorkersElsewhere) {
+    FakeWorkers elsewhere(3);
+    const RemoteWorkers workers = elsewhere.workers();
+    WorkerThreads here(2, doubled);
     Taken taken(500);
-    EXPECT_EQ(lead(crew, taken.leading(), &crews), 500U);
+    EXPECT_EQ(lead(here, taken.leading(), &workers), 500U);
     taken.expect_each_once();
     EXPECT_GT(elsewhere.given, 0U);
     EXPECT_FALSE(std::ranges::is_sorted(taken.order)) << "results came in another order than tasks went";
 }
 
-TEST(Crew, NeedsNoneElsewhere) {
-    FakeCrews elsewhere(0);
-    const RemoteCrews crews = elsewhere.crews();
-    ThreadCrew crew(2, doubled);
+TEST(WorkerThreads, NeedsNoneElsewhere) {
+    FakeWorkers elsewhere(0);
+    const RemoteWorkers workers = elsewhere.workers();
+    WorkerThreads here(2, doubled);
     Taken taken(50);
-    EXPECT_EQ(lead(crew, taken.leading(), &crews), 50U);
+    EXPECT_EQ(lead(here, taken.leading(), &workers), 50U);
     taken.expect_each_once();
     EXPECT_EQ(elsewhere.given, 0U);
 }
 
-TEST(Crew, GivesNothingAfterAStopAndTakesWhatHasBegun) {
+TEST(WorkerThreads, GivesNothingAfterAStopAndTakesWhatHasBegun) {
     for (const bool remote : {false, true}) {
-        FakeCrews elsewhere(3);
-        const RemoteCrews crews = elsewhere.crews();
+        FakeWorkers elsewhere(3);
+        const RemoteWorkers workers = elsewhere.workers();
         std::atomic<int> begun = 0;
-        ThreadCrew crew(2, [&](const std::string& task) {
+        WorkerThreads here(2, [&](const std::string& task) {
             ++begun;
             return doubled(task);
         });
         Taken taken(500);
         const std::size_t done =
-            lead(crew, taken.leading([&] { return taken.order.size() >= 10; }), remote ? &crews : nullptr);
+            lead(here, taken.leading([&] { return taken.order.size() >= 10; }), remote ? &workers : nullptr);
         EXPECT_EQ(done, taken.order.size());
         EXPECT_EQ(done, static_cast<std::size_t>(begun) + elsewhere.given) << "nothing that had begun was dropped";
         EXPECT_GE(done, 10U);
         EXPECT_LT(done, 100U);
         EXPECT_TRUE(std::ranges::all_of(taken.times, [](int count) { return count <= 1; }));
     }
-    ThreadCrew crew(2, doubled);
+    WorkerThreads here(2, doubled);
     Taken taken(5);
-    EXPECT_EQ(lead(crew, taken.leading([] { return true; }), nullptr), 0U);
+    EXPECT_EQ(lead(here, taken.leading([] { return true; }), nullptr), 0U);
 }
 
-TEST(Crew, WhatTakingThrowsEndsIt) {
-    ThreadCrew crew(2, doubled);
+TEST(WorkerThreads, WhatTakingThrowsEndsIt) {
+    WorkerThreads here(2, doubled);
     Taken taken(100);
     Leading leading = taken.leading();
     leading.take = [](const DoneTask&) { throw std::runtime_error("the disk is full"); };
-    EXPECT_THROW(lead(crew, leading, nullptr), std::runtime_error);
+    EXPECT_THROW(lead(here, leading, nullptr), std::runtime_error);
 }
 
-TEST(Crew, IsSentHomeWithTasksLeft) {
+TEST(WorkerThreads, IsSentHomeWithTasksLeft) {
     std::atomic<int> begun = 0;
     {
-        ThreadCrew crew(2, [&](const std::string& task) {
+        WorkerThreads here(2, [&](const std::string& task) {
             ++begun;
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
             return task;
         });
-        for (std::size_t i = 0; i < 1000; ++i) crew.give(i, "");
-        EXPECT_TRUE(crew.take(std::chrono::seconds(60)));
-        EXPECT_EQ(crew.outstanding(), 999U);
+        for (std::size_t i = 0; i < 1000; ++i) here.give(i, "");
+        EXPECT_TRUE(here.take(std::chrono::seconds(60)));
+        EXPECT_EQ(here.outstanding(), 999U);
     }
     EXPECT_LT(begun, 1000);
 }

@@ -23,14 +23,14 @@ struct DoneTask {
 };
 
 /// Threads that do tasks one by one.
-class ThreadCrew {
+class WorkerThreads {
 public:
     /// `work` is called from all `threads`; an exception of it ends the program, since only bugs throw there.
-    ThreadCrew(int threads, Worker work);
-    ThreadCrew(const ThreadCrew&) = delete;
-    ThreadCrew& operator=(const ThreadCrew&) = delete;
+    WorkerThreads(int threads, Worker work);
+    WorkerThreads(const WorkerThreads&) = delete;
+    WorkerThreads& operator=(const WorkerThreads&) = delete;
     /// Waits for the tasks that have begun and drops the others.
-    ~ThreadCrew();
+    ~WorkerThreads();
 
     void give(std::size_t number, std::string task);
     /// A task that is done, waiting at most so long for one.
@@ -53,11 +53,11 @@ private:
     std::vector<std::jthread> threads_;
 };
 
-/// Crews in other processes. Each asks for tasks; `next` gives one of them a task, or nothing.
-struct RemoteCrews {
-    /// What has arrived: results, which also stand for requests of their crews.
+/// Other processes, each with worker threads, that ask for tasks.
+struct RemoteWorkers {
+    /// What has arrived: results, which also stand for requests of their workers.
     std::function<std::vector<DoneTask>()> receive;
-    /// Gives a task to a crew that waits; false where none does.
+    /// Gives a task to a process that waits; false where none does.
     std::function<bool(std::size_t number, const std::string& task)> give;
 };
 
@@ -69,8 +69,8 @@ struct Leading {
     std::function<bool()> stop;                           ///< no further task is given once it is true
 };
 
-/// Has all tasks done by `crew`, and by `remote` crews where there are any; the order is that in which they are ready.
-/// Returns how many have been done: all, but for those not given after a stop. What `take` throws ends it.
-std::size_t lead(ThreadCrew& crew, const Leading& leading, const RemoteCrews* remote);
+/// Has all tasks done by `threads`, and by `remote` workers where there are any; the order is that in which they are
+/// ready. Returns how many have been done: all, but for those not given after a stop. What `take` throws ends it.
+std::size_t lead(WorkerThreads& threads, const Leading& leading, const RemoteWorkers* remote);
 
 }  // namespace skinfit
