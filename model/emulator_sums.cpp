@@ -71,8 +71,8 @@ void add_product(Pair& sum, const Pair& x, const Pair& y) {
 
 /// The Chebyshev polynomials of one layer's coordinate and their derivatives by the layer's optical depth.
 struct Polynomials {
-    HWY_ALIGN double value[most_emulator_terms * emulator_lanes];
-    HWY_ALIGN double by_depth[most_emulator_terms * emulator_lanes];
+    HWY_ALIGN std::array<double, most_emulator_terms * emulator_lanes> value;
+    HWY_ALIGN std::array<double, most_emulator_terms * emulator_lanes> by_depth;
 };
 
 void tabulate(const Pair& coordinate, const Pair& coordinate_by_depth, int count, std::size_t lanes,
@@ -84,8 +84,8 @@ void tabulate(const Pair& coordinate, const Pair& coordinate_by_depth, int count
     Pair last = coordinate;
     Pair last_by = coordinate_by_depth;
     for (int n = 0; n < count; ++n) {
-        store(before, polynomials.value + static_cast<std::size_t>(n) * lanes);
-        store(before_by, polynomials.by_depth + static_cast<std::size_t>(n) * lanes);
+        store(before, polynomials.value.data() + static_cast<std::size_t>(n) * lanes);
+        store(before_by, polynomials.by_depth.data() + static_cast<std::size_t>(n) * lanes);
         // T_n+1 = 2 x T_n - T_n-1
         const Pair next = multiply_subtract(twice, last, before);
         const Pair next_by = multiply_add(twice_by, last, multiply_subtract(twice, last_by, before_by));
@@ -98,9 +98,11 @@ void tabulate(const Pair& coordinate, const Pair& coordinate_by_depth, int count
 
 void sum_lanes(const EmulatorSeries& series, const PerLayer<Polynomials>& polynomials, std::size_t first_lane,
                std::size_t lanes, EmulatorSums& sums) {
-    const auto value = [&](std::size_t layer, std::size_t n) { return load(polynomials[layer].value + n * lanes); };
+    const auto value = [&](std::size_t layer, std::size_t n) {
+        return load(polynomials[layer].value.data() + n * lanes);
+    };
     const auto by_depth = [&](std::size_t layer, std::size_t n) {
-        return load(polynomials[layer].by_depth + n * lanes);
+        return load(polynomials[layer].by_depth.data() + n * lanes);
     };
     const float* coefficient = series.coefficients.data() + first_lane;
     const std::uint8_t* count = series.counts.data();

@@ -53,7 +53,7 @@ std::optional<MappedFile> map_file(const std::filesystem::path& path) {
         const auto size = static_cast<std::size_t>(status.st_size);
         void* const address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, descriptor, 0);
         if (address != MAP_FAILED) {
-            const auto unmap = [size](const char* data) { ::munmap(const_cast<char*>(data), size); };
+            const auto unmap = [address, size](const char* /*data*/) { ::munmap(address, size); };
             mapped = MappedFile{{static_cast<const char*>(address), unmap}, size};
         }
     }

@@ -212,7 +212,7 @@ TEST(FitInBulk, SpectraThatAreNoNumbersEndWithoutAFitAndLeaveTheOthersAlone) {
     spectra.col(3).setConstant(1e200);  // chi2 overflows
     const std::vector<BulkFit> fits = fit_in_bulk(bulk.problem, bulk.emulator, spectra);
     EXPECT_EQ(fits[0].values, fit_in_bulk(bulk.problem, bulk.emulator, spectra.leftCols(1)).front().values);
-    for (const std::size_t i : {1, 2, 3}) {
+    for (const std::size_t i : {1U, 2U, 3U}) {
         EXPECT_FALSE(fits[i].converged);
         EXPECT_FALSE(std::isfinite(fits[i].chi2));
     }
