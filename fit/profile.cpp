@@ -34,7 +34,12 @@ ProfilePoint profile_point(const BoxPoint& point, Index column, double rise) {
 class Walk {
 public:
     Walk(const BoxMisfit& misfit, const BoxPoint& minimum, Index column, double limit)
-        : misfit_(&misfit), minimum_(&minimum), column_(column), limit_(limit), inside_point_(minimum), last_(minimum) {}
+        : misfit_(&misfit),
+          minimum_(&minimum),
+          column_(column),
+          limit_(limit),
+          inside_point_(minimum),
+          last_(minimum) {}
 
     struct End {
         double position = 0.0;
