@@ -61,6 +61,14 @@ std::vector<std::string_view> all_names() {
     return names;
 }
 
+/// The first that holds `name` as a part, else the most similar one.
+std::string_view meant_by(std::string_view name) {
+    const std::vector<std::string_view> names = all_names();
+    const auto holding =
+        std::ranges::find_if(names, [&](std::string_view each) { return each.find(name) != std::string_view::npos; });
+    return holding != names.end() ? *holding : nearest_name(name, names);
+}
+
 }  // namespace
 
 std::string description(std::string_view name) {
@@ -73,7 +81,7 @@ std::string description(std::string_view name) {
                       .problem = fmt::format("unknown name \"{}\"", name),
                       .why = "neither a parameter, nor a setting, nor a word of the outputs",
                       .remedy = fmt::format("did you mean \"{}\"? `skinfit describe` lists parameters and settings",
-                                            nearest_name(name, all_names()))});
+                                            meant_by(name))});
 }
 
 std::string descriptions() {

@@ -154,7 +154,7 @@ InterfaceNodes interface_nodes(const InterfaceSide& side, const NodeCounts& coun
         refract(nodes, side.ratio, critical, placed.above_critical.tail(nodes.transmitting),
                 placed.above_critical_by_ratio.tail(nodes.transmitting));
     }
-    return std::move(nodes);
+    return std::move(placed.nodes);
 }
 
 }  // namespace skinfit

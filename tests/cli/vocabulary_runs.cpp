@@ -44,7 +44,10 @@ protected:
         CliTest::SetUp();
         const Outcome made = run({"simulate", "--set", "engine=solver", "--wavelengths", "450:650:10"});
         ASSERT_EQ(made.exit_code, 0) << made.err;
-        put("made.csv", made.out);
+        put("all.csv", made.out);
+        const Outcome one = run({"convert", "all.csv", "--column", "reflectance"});
+        ASSERT_EQ(one.exit_code, 0) << one.err;
+        put("made.csv", one.out);
     }
 
     [[nodiscard]] std::string output_of(Arguments arguments, const std::string& format) const {
@@ -83,7 +86,7 @@ TEST_F(VocabularyRuns, EveryColumnIsAWordOfIt) {
 }
 
 TEST_F(VocabularyRuns, DescribeSaysWhatAnyOfThemMeans) {
-    for (const std::string& name : {"bilirubin_g_per_l", "engine", "runs_p_value"}) {
+    for (const std::string name : {"bilirubin_g_per_l", "engine", "runs_p_value"}) {
         const Outcome outcome = run({"describe", name});
         EXPECT_EQ(outcome.exit_code, 0);
         EXPECT_THAT(outcome.out, testing::StartsWith(name + ": ")) << outcome.err;

@@ -32,7 +32,8 @@ Names written_names(const std::string& text) {
     Names names;
     for (std::sregex_iterator each(text.begin(), text.end(), key), end; each != end; ++each) names.insert((*each)[1]);
     for (std::sregex_iterator each(text.begin(), text.end(), columns), end; each != end; ++each) {
-        for (const std::string_view name : split(each->str(1), ',')) names.emplace(name);
+        const std::string line = (*each)[1];
+        for (const std::string_view name : split(line, ',')) names.emplace(name);
     }
     return names;
 }
