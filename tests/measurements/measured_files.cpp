@@ -68,7 +68,7 @@ TEST_F(SharedSpectra, TheEyelidIsReadWithoutAHeader) {
 
 TEST_F(SharedSpectra, AWideFileNeedsAChoice) {
     EXPECT_NE(refusal("ncsu_vrhel_1994_skin.csv").find(":1: has 20 columns of values (ncsu_082, "), std::string::npos);
-    EXPECT_NE(refusal("ncsu_vrhel_1994_skin.csv", "ncsu_13").find("the nearest name is 'ncsu_"), std::string::npos);
+    EXPECT_NE(refusal("ncsu_vrhel_1994_skin.csv", "ncsu_13").find("the nearest name is \"ncsu_"), std::string::npos);
 }
 
 /// The file's lines, cut at every `separator` and nothing more: an independent reading of files without quotes there.
@@ -179,7 +179,7 @@ TEST_F(SharedSpectra, EveryFileConvertsAndReadsBackToTheLastBit) {
 }
 
 TEST_F(SharedSpectra, LabelsAreNoSpectra) {
-    EXPECT_NE(refusal("ncsu_vrhel_1994_labels.csv").find(":2: starts with the word 'ncsu_082"), std::string::npos);
+    EXPECT_NE(refusal("ncsu_vrhel_1994_labels.csv").find(":2: starts with the word \"ncsu_082"), std::string::npos);
 }
 
 }  // namespace

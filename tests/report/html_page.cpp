@@ -80,11 +80,14 @@ double contrast(std::string_view first, std::string_view second) {
     return (light + 0.05) / (dark + 0.05);
 }
 
-/// The colours by name of every block of the page's style that sets them: light, dark, paper.
+/// The colours by name in light, in the dark and on paper: a block of the page's style that sets some of them leaves
+/// the others as in light.
 std::vector<std::map<std::string, std::string>> palettes(std::string_view page) {
     std::vector<std::map<std::string, std::string>> found;
     for (const std::string_view line : split_lines(page)) {
-        if (trimmed(line) == ":root {") found.emplace_back();
+        if (trimmed(line) == ":root {") {
+            found.push_back(found.empty() ? std::map<std::string, std::string>() : found.front());
+        }
         const std::string_view text = trimmed(line);
         if (!text.starts_with("--")) continue;
         const std::size_t colon = text.find(':');
