@@ -155,7 +155,7 @@ TEST_F(BadInput, Outputs) {
 TEST_F(BadInput, CommandLines) {
     expect_refused({},
                    "give one of fit, inspect, simulate, sensitivity, design, explore, gonio, validate, study, bench, "
-                   "convert, config, completion, manual");
+                   "convert, describe, config, completion, manual");
     expect_refused({"fitt"}, "did you mean `skinfit fit`?");
     expect_refused({"--sed", "1"}, "unknown option --sed");
     expect_refused({"config"}, "give one of show, schema, check");
