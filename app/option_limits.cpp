@@ -3,78 +3,65 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <charconv>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
-#include "core/input_error.hpp"
 #include "core/json.hpp"
 #include "core/text.hpp"
+#include "fit/settings.hpp"
 
 namespace skinfit {
 namespace {
 
-std::optional<long long> parsed_whole(const std::string& text) {
-    long long number = 0;
-    const char* const end = text.data() + text.size();
-    const auto [last, error] = std::from_chars(text.data(), end, number);
-    return error == std::errc() && last == end ? std::optional(number) : std::nullopt;
-}
-
-/// A value as messages show it: words in quotes, numbers without.
-std::string shown_value(const std::string& text) {
-    return parse_number(text) ? text : shown(text);
-}
-
-[[noreturn]] void refuse(const CLI::Option* option, const std::string& text, const std::string& why,
-                         const std::string& remedy) {
-    // `get_name` has none for an option that the help does not show.
+/// How a refusal names the option: `get_name` has none for one that the help does not show.
+std::string name_of(const CLI::Option* option) {
     const std::vector<std::string>& names = option->get_lnames();
-    throw InputError({.where = names.empty() ? option->get_name() : "--" + names.front(),
-                      .problem = fmt::format("{} cannot be used", shown_value(text)),
-                      .why = why,
-                      .remedy = remedy});
+    return names.empty() ? option->get_name() : "--" + names.front();
+}
+
+/// A word as the readers of settings take it.
+Json json_of(const std::string& text) {
+    Json json = Json::parse(text, nullptr, false);
+    if (json.is_number()) return json;
+    if (const std::optional<double> number = parse_number(text)) return *number;
+    return text;
+}
+
+/// `option` takes what `read` does not refuse: it gets the value and the name of the option.
+template <class Read>
+CLI::Option* checked(CLI::Option* option, Read read) {
+    const auto check = [option, read](std::string& text) {
+        read(text, name_of(option));
+        return std::string();
+    };
+    return option->check(CLI::Validator(check, ""));
 }
 
 }  // namespace
 
 CLI::Option* whole_number(CLI::Option* option, int lowest, int highest) {
-    option->option_text(fmt::format("{} to {}", lowest, highest));
-    const auto check = [option, lowest, highest](std::string& text) {
-        const std::optional<long long> number = parsed_whole(text);
-        if (!number || *number < lowest || *number > highest) {
-            const bool is_number = parse_number(text).has_value();
-            refuse(option, text, is_number ? (number ? "out of range" : "it is no whole number") : "a number is needed",
-                   fmt::format("give a whole number from {} to {}", lowest, highest));
-        }
-        text = fmt::to_string(*number);  // CLI11 takes 010 for octal
-        return std::string();
-    };
-    return option->type_name("N")->check(CLI::Validator(check, ""));
+    option->option_text(fmt::format("{} to {}", lowest, highest))->type_name("N");
+    return checked(option, [lowest, highest](std::string& text, const std::string& where) {
+        // CLI11 would take 010 for octal.
+        text = fmt::to_string(
+            read_count(json_of(text), static_cast<std::uint64_t>(lowest), static_cast<std::uint64_t>(highest), where));
+    });
 }
 
 CLI::Option* number(CLI::Option* option, double lowest, double highest, const std::string& unit) {
-    option->option_text(fmt::format("{} to {}", lowest, highest));
-    const auto check = [option, lowest, highest](std::string& text) {
-        const std::optional<double> number = parse_number(text);
-        if (!number || !(*number >= lowest && *number <= highest)) {
-            refuse(option, text, number ? "out of range" : "a number is needed",
-                   fmt::format("give a number from {} to {}", lowest, highest));
-        }
-        return std::string();
-    };
-    return option->type_name(unit)->check(CLI::Validator(check, ""));
+    option->option_text(fmt::format("{} to {}", lowest, highest))->type_name(unit);
+    return checked(option, [lowest, highest](const std::string& text, const std::string& where) {
+        (void)read_number(json_of(text), {lowest, highest}, where);
+    });
 }
 
 CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words) {
-    const auto check = [option, words](std::string& text) {
-        if (std::ranges::find(words, text) == words.end()) {
-            refuse(option, text, fmt::format("one of {} is needed", fmt::join(words, ", ")), "give one of these");
-        }
-        return std::string();
-    };
-    return option->type_name(fmt::format("{}", fmt::join(words, "|")))->check(CLI::Validator(check, ""));
+    option->type_name(fmt::format("{}", fmt::join(words, "|")));
+    return checked(option, [words](const std::string& text, const std::string& where) {
+        const std::vector<std::string_view> names(words.begin(), words.end());
+        (void)read_choice(text, names, where);
+    });
 }
 
 std::string limits_of(const CLI::Option& option) {

@@ -8,7 +8,7 @@
 /// of a setting is: `--threads: 0 cannot be used (out of range); give a whole number from 1 to 1024`.
 namespace skinfit {
 
-/// The value is a whole number from `lowest` to `highest`; the help calls it N.
+/// The value is a whole number from `lowest`, 0 or more, to `highest`; the help calls it N.
 CLI::Option* whole_number(CLI::Option* option, int lowest, int highest);
 
 /// The value is a number from `lowest` to `highest`; the help calls it `unit`.

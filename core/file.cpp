@@ -175,7 +175,7 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view b
 void make_folder(const std::filesystem::path& path, const std::string& where) {
     std::error_code error;
     std::filesystem::create_directories(path, error);
-    if (!error && std::filesystem::is_directory(path) && ::access(path.c_str(), W_OK) == 0) return;
+    if (!error && std::filesystem::is_directory(path, error) && ::access(path.c_str(), W_OK) == 0) return;
     throw InputError({.where = where,
                       .problem = "no folder that can be written",
                       .why = error ? error.message() : "it is a file or not ours to write",

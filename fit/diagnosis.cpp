@@ -69,9 +69,9 @@ void judge_runs(const FitResult& result, std::vector<std::string>& reasons) {
                           *result.runs_p_value));
 }
 
-/// What a cost is, in `form`; empty where it is chi2 and called so.
-std::string explained(const FitResult& result, const std::string& form) {
-    return has_own_cost(result) ? fmt::format(fmt::runtime(form), cost_words(result)) : "";
+/// What a cost is, between `before` and `after`; empty where it is chi2 and called so.
+std::string explained(const FitResult& result, std::string_view before, std::string_view after = "") {
+    return has_own_cost(result) ? fmt::format("{}{}{}", before, cost_words(result), after) : "";
 }
 
 void judge_minima(const FitResult& result, std::vector<std::string>& reasons) {
@@ -83,7 +83,7 @@ void judge_minima(const FitResult& result, std::vector<std::string>& reasons) {
             "SECOND MINIMUM: other values of the parameters, up to {:.2g} sigma away, explain the spectrum "
             "almost as well ({} {:.6g} against {:.6g}{}); see the list of minima, and fix or state priors on "
             "what you know",
-            difference.value_or(0.0), cost_name(result), other.cost, result.cost, explained(result, "; cost: {}")));
+            difference.value_or(0.0), cost_name(result), other.cost, result.cost, explained(result, "; cost: ")));
     }
 }
 
@@ -144,7 +144,7 @@ void judge_solvers(const FitResult& result, std::vector<std::string>& reasons) {
             reasons.push_back(fmt::format(
                 "SOLVERS DISAGREE: another solver ended at {} {:.6g} instead of {:.6g}{}, {:.2g} sigma away; set more "
                 "starts, or fix parameters that trade against each other",
-                cost_name(result), other.minimum.cost, result.cost, explained(result, " (cost: {})"),
+                cost_name(result), other.minimum.cost, result.cost, explained(result, " (cost: ", ")"),
                 difference.value_or(0.0)));
         }
     }

@@ -178,7 +178,7 @@ TEST_F(BadInput, ValuesBeyondTheLimitsOfAnOption) {
     expect_refused({"simulate", "--threads", "0"}, "--threads: 0 cannot be used (out of range); " + threads);
     expect_refused({"simulate", "--threads", "-1"}, "--threads: -1 cannot be used (out of range); " + threads);
     expect_refused({"simulate", "--threads", "2.5"},
-                   "--threads: 2.5 cannot be used (it is no whole number); " + threads);
+                   "--threads: 2.5 cannot be used (a whole number is needed); " + threads);
     expect_refused({"simulate", "--threads", "2x"},
                    "--threads: \"2x\" cannot be used (a number is needed); " + threads);
     expect_refused({"study", "run", "a.json", "--jobs", "0"}, "--jobs: 0 cannot be used (out of range); " + threads);
