@@ -17,7 +17,7 @@ namespace {
 using test::known_names;
 using test::Names;
 
-/// Files whose words are not ours: of HTML, of shells, and of other people's spectra.
+/// Files whose words are no keys of ours: of HTML, of shells, of other people's spectra, and names of tables.
 bool speaks_for_itself(const std::string& path) {
     return path.starts_with("report/html") || path.starts_with("app/completion") ||
            path == "app/command_completion.cpp" || path == "report/uncertainty_section.cpp" ||

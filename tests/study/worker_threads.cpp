@@ -76,24 +76,26 @@ TEST(WorkerThreads, DoesEveryTaskOnce) {
     }
 }
 
-TEST(WorkerThreads, SharesTasksWithWorkersElsewhere) {
-    FakeWorkers elsewhere(3);
+/// Leads `tasks` on two threads here beside the workers `elsewhere`, each of them once.
+Taken led_beside(FakeWorkers& elsewhere, std::size_t tasks) {
     const RemoteWorkers workers = elsewhere.workers();
     WorkerThreads here(2, doubled);
-    Taken taken(500);
-    EXPECT_EQ(lead(here, taken.leading(), &workers), 500U);
+    Taken taken(tasks);
+    EXPECT_EQ(lead(here, taken.leading(), &workers), tasks);
     taken.expect_each_once();
+    return taken;
+}
+
+TEST(WorkerThreads, SharesTasksWithWorkersElsewhere) {
+    FakeWorkers elsewhere(3);
+    const Taken taken = led_beside(elsewhere, 500);
     EXPECT_GT(elsewhere.given, 0U);
     EXPECT_FALSE(std::ranges::is_sorted(taken.order)) << "results came in another order than tasks went";
 }
 
 TEST(WorkerThreads, NeedsNoneElsewhere) {
     FakeWorkers elsewhere(0);
-    const RemoteWorkers workers = elsewhere.workers();
-    WorkerThreads here(2, doubled);
-    Taken taken(50);
-    EXPECT_EQ(lead(here, taken.leading(), &workers), 50U);
-    taken.expect_each_once();
+    (void)led_beside(elsewhere, 50);
     EXPECT_EQ(elsewhere.given, 0U);
 }
 
