@@ -201,7 +201,8 @@ void add_fit_command(CLI::App& app, Session& session) {
                      "adjust these parameters, with a value of its own in each of several spectra");
     fit->add_option("--uncertainty", command->uncertainty,
                     "what intervals come from: covariance (quick), profile (right at bounds) or posterior (draws of "
-                    "all parameters)")
+                    "all parameters)" +
+                        unless_configured("uncertainty"))
         ->type_name("covariance|profile|posterior");
     fit->add_option("--samples", command->samples, "write the draws of the posterior to this file, as CSV")
         ->type_name("FILE");
@@ -213,7 +214,8 @@ void add_fit_command(CLI::App& app, Session& session) {
     fit->add_option(
            "--solver", command->solver,
            "what looks for the best values, not how the model is computed (--set engine=...): ceres and slsqp by exact "
-           "derivatives, bobyqa and sbplx without, crs2 by searching everywhere")
+           "derivatives, bobyqa and sbplx without, crs2 by searching everywhere" +
+               unless_configured("solver"))
         ->type_name("ceres|slsqp|bobyqa|sbplx|crs2");
     fit->add_flag("--strict", command->strict, "refuse a spectrum with warnings; `skinfit inspect` shows them");
     fit->add_flag("--cross-check", command->cross_check, "fit by each of the other solvers too, and compare");
@@ -225,7 +227,7 @@ void add_fit_command(CLI::App& app, Session& session) {
          "skinfit fit measurements/data/ncsu_113.csv --free scale --fix bilirubin_g_per_l --format json --out fit.json",
          "skinfit fit measurements/data/ncsu_113.csv --set engine=emulator --uncertainty profile",
          "skinfit simulate --set melanosome_fraction=0.03 | skinfit fit - --column reflectance"},
-        "Exit code 0: trustworthy; 1: a result with a warning; 2: bad input; 3: internal error.");
+        "Exit code 0: trustworthy; 1: a result with a warning; 2: bad input; 3: internal error; 130: ended by Ctrl-C.");
     fit->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 

@@ -101,11 +101,12 @@ void add_simulate_command(CLI::App& app, Session& session) {
         ->add_option(
             "--engine", command->engine,
             "how the model is computed: by recorded walks of light, the walk of the paper ray by ray, a solver without "
-            "random noise, or its stand-in for one geometry, the emulator")
+            "random noise, or its stand-in for one geometry, the emulator" +
+                unless_configured("engine"))
         ->type_name("paths|walk|solver|emulator");
     add_wavelengths_option(*simulate, command->wavelengths);
-    simulate->add_option("--rays", command->rays, "per wavelength")->type_name("N");
-    simulate->add_option("--seed", command->seed, "of the random numbers")->type_name("N");
+    simulate->add_option("--rays", command->rays, "per wavelength" + unless_configured("rays"))->type_name("N");
+    simulate->add_option("--seed", command->seed, "of the random numbers" + unless_configured("seed"))->type_name("N");
     add_shared_options(*simulate, command->shared, {"csv", "json"});
     add_examples(*simulate,
                  {"skinfit simulate", "skinfit simulate --engine solver --wavelengths 400:700:5 --out skin.csv",

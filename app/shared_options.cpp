@@ -78,6 +78,11 @@ CLI::Option* add_quiet_option(CLI::App& command, Session& session) {
     return command.add_flag("--quiet", session.quiet, "no progress, notes or warnings on the terminal: only errors");
 }
 
+std::string unless_configured(const std::string& setting) {
+    const Json value = to_json(default_configuration())[setting];
+    return fmt::format("; {} if not configured", value.is_string() ? value.get<std::string>() : value.dump());
+}
+
 void add_wavelengths_option(CLI::App& command, std::string& wavelengths, const std::string& without_it) {
     command
         .add_option("--wavelengths", wavelengths,

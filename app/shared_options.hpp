@@ -53,8 +53,12 @@ void add_no_cache_option(CLI::App& command, bool& no_cache);
 /// Adds --quiet.
 CLI::Option* add_quiet_option(CLI::App& command, Session& session);
 
+/// The end of the help of an option that is a setting too: "; 100000 if not configured".
+[[nodiscard]] std::string unless_configured(const std::string& setting);
+
 /// Adds --wavelengths; `without_it` ends the help.
-void add_wavelengths_option(CLI::App& command, std::string& wavelengths, const std::string& without_it = "");
+void add_wavelengths_option(CLI::App& command, std::string& wavelengths,
+                            const std::string& without_it = unless_configured("wavelengths"));
 
 /// Adds --reader, which overrides the recognition of a file's form.
 void add_reader_option(CLI::App& command, std::string& reader);

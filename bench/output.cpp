@@ -1,26 +1,24 @@
 #include "bench/output.hpp"
 
-#include <array>
-
 #include <fmt/format.h>
+
+#include <array>
 
 namespace skinfit {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-struct Ratio {
+struct TimeRatio {
     const char* name;
     const char* slower;
     const char* faster;
 };
-constexpr auto ratios = std::to_array<Ratio>({{"paths_over_brute_force", "brute_force", "paths"},
-                                              {"paths_as_fit_over_brute_force", "brute_force", "paths_as_fit"},
-                                              {"emulator_over_paths", "paths", "emulator"},
-                                              {"emulator_over_paths_as_fit", "paths_as_fit", "emulator"},
-                                              {"emulator_over_solver", "solver", "emulator"}});
+constexpr auto ratios = std::to_array<TimeRatio>({{"paths_over_brute_force", "brute_force", "paths"},
+                                                  {"paths_as_fit_over_brute_force", "brute_force", "paths_as_fit"},
+                                                  {"emulator_over_paths", "paths", "emulator"},
+                                                  {"emulator_over_paths_as_fit", "paths_as_fit", "emulator"},
+                                                  {"emulator_over_solver", "solver", "emulator"}});
 
-double ratio_of(const BenchResult& result, const Ratio& ratio, double Duration::*clock) {
+double ratio_of(const BenchResult& result, const TimeRatio& ratio, double Duration::*clock) {
     return rung(result, ratio.slower).median.*clock / rung(result, ratio.faster).median.*clock;
 }
 
@@ -50,7 +48,7 @@ Json bench_json(const BenchResult& result) {
                  {"rays", result.sizes.rays},
                  {"wavelengths", 31},
                  {"free_parameters", 5}};
-    for (const Ratio& ratio : ratios) {
+    for (const TimeRatio& ratio : ratios) {
         json["ratios"][ratio.name] = ratio_of(result, ratio, &Duration::cpu_s);
         json["ratios_by_wall_clock"][ratio.name] = ratio_of(result, ratio, &Duration::wall_s);
     }
@@ -101,7 +99,7 @@ std::string bench_text(const BenchResult& result) {
         "timed, extrapolated to the {:.0f} that BOBYQA takes over recorded "
         "paths\n\n",
         result.brute_force_timed, rung(result, "brute_force").evaluations);
-    for (const Ratio& ratio : ratios) {
+    for (const TimeRatio& ratio : ratios) {
         text += fmt::format("{:<34}{:>10.0f} times as fast by processor time, {:.0f} by the clock\n", ratio.name,
                             ratio_of(result, ratio, &Duration::cpu_s), ratio_of(result, ratio, &Duration::wall_s));
     }

@@ -52,7 +52,7 @@ private:
     [[nodiscard]] ApiAnswer dispatched(const ApiRequest& request);
 
     Json file_;
-    Simulator simulator_;
+    LiveSimulator simulator_;
     FitJobs jobs_;
 };
 

@@ -19,18 +19,18 @@ bool is_own_origin(std::string_view origin, int port) {
 
 }  // namespace
 
-std::optional<Refusal> refusal(const RequestParts& request, const Access& access) {
+std::optional<RequestRefusal> refusal(const RequestParts& request, const Access& access) {
     if (!is_own_host(request.host, access.port)) {
-        return Refusal{421, "this server answers to its own address alone; use the URL that skinfit printed"};
+        return RequestRefusal{421, "this server answers to its own address alone; use the URL that skinfit printed"};
     }
     if (!request.origin.empty() && !is_own_origin(request.origin, access.port)) {
-        return Refusal{403, "another site may not ask this server"};
+        return RequestRefusal{403, "another site may not ask this server"};
     }
-    if (request.is_encoded) return Refusal{411, "send the body as it is, with its Content-Length"};
-    if (request.asks_for_part) return Refusal{416, "ask for the whole of it"};
+    if (request.is_encoded) return RequestRefusal{411, "send the body as it is, with its Content-Length"};
+    if (request.asks_for_part) return RequestRefusal{416, "ask for the whole of it"};
     if (request.method == "GET" && find_page_file(request.path) != nullptr) return std::nullopt;
     if (same_secret(request.token, access.token)) return std::nullopt;
-    return Refusal{403, "the token is missing or wrong; use the URL that skinfit printed"};
+    return RequestRefusal{403, "the token is missing or wrong; use the URL that skinfit printed"};
 }
 
 }  // namespace skinfit

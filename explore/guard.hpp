@@ -7,7 +7,7 @@
 namespace skinfit {
 
 /// Why a request is not answered.
-struct Refusal {
+struct RequestRefusal {
     int status;           ///< of HTTP
     std::string message;  ///< for people
 };
@@ -35,6 +35,6 @@ inline constexpr const char* token_header = "X-Skinfit-Token";
 /// Nothing for a request that may be answered. `Host` must name this server, so that no other name can be made to lead
 /// here (DNS rebinding); `Origin`, where there is one, must be this server. Everything but the page's files, which are
 /// the same in every installation, needs the token.
-[[nodiscard]] std::optional<Refusal> refusal(const RequestParts& request, const Access& access);
+[[nodiscard]] std::optional<RequestRefusal> refusal(const RequestParts& request, const Access& access);
 
 }  // namespace skinfit

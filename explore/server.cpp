@@ -121,7 +121,7 @@ struct Server::Parts {
     /// Before a body is read.
     void set_guard() {
         http.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
-            const std::optional<Refusal> refused = refusal(parts_of(request), access);
+            const std::optional<RequestRefusal> refused = refusal(parts_of(request), access);
             if (!refused) return httplib::Server::HandlerResponse::Unhandled;
             give(error_answer(refused->message, refused->status), response);
             return httplib::Server::HandlerResponse::Handled;

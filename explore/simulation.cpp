@@ -76,7 +76,7 @@ Json colour_json(const Simulation& simulation) {
 
 }  // namespace
 
-AngularSolver Simulator::solver_of(const Experiment& experiment) {
+AngularSolver LiveSimulator::solver_of(const Experiment& experiment) {
     {
         const std::scoped_lock lock(mutex_);
         if (last_ && same_but_for_skin(last_->experiment, experiment)) {
@@ -90,7 +90,7 @@ AngularSolver Simulator::solver_of(const Experiment& experiment) {
     return solver;
 }
 
-Simulation Simulator::simulate(const Configuration& configuration) {
+Simulation LiveSimulator::simulate(const Configuration& configuration) {
     Simulation simulation{.configuration = resolved(configuration, Spectrum{}),
                           .wavelength_nm = checked_wavelengths(configuration),
                           .reading = {},

@@ -26,7 +26,7 @@ struct Simulation {
 
 /// Simulates as sliders ask for it: one skin after the other, few of them in another geometry. Calls may come from any
 /// thread.
-class Simulator {
+class LiveSimulator {
 public:
     /// The simulation at the wavelengths of the setting, whatever the configured engine. Throws InputError for more
     /// than 600 wavelengths, for wavelengths outside the tables, and for a viewing cone as `check_viewing_cone` does.

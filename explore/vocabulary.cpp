@@ -15,7 +15,6 @@ namespace {
 
 /// Under which heading a parameter stands.
 std::string_view group_of(Parameter parameter) {
-    if (belongs_to_instrument(parameter)) return "instrument";
     switch (parameter) {
         case Parameter::melanosome_fraction:
         case Parameter::eumelanin_g_per_l:
@@ -33,9 +32,23 @@ std::string_view group_of(Parameter parameter) {
         case Parameter::fibre_refractive_index:
         case Parameter::fibril_radius_nm:
             return "dermis";
-        default:
+        case Parameter::stratum_corneum_thickness_cm:
+        case Parameter::epidermis_thickness_cm:
+        case Parameter::papillary_dermis_thickness_cm:
+        case Parameter::reticular_dermis_thickness_cm:
+        case Parameter::stratum_corneum_refractive_index:
+        case Parameter::epidermis_refractive_index:
+        case Parameter::papillary_dermis_refractive_index:
+        case Parameter::reticular_dermis_refractive_index:
+        case Parameter::fold_aspect_ratio:
             return "geometry";
+        case Parameter::scale:
+        case Parameter::offset:
+        case Parameter::specular_fraction:
+        case Parameter::wavelength_shift_nm:
+            break;
     }
+    return "instrument";
 }
 
 /// The range published for healthy skin, or null.

@@ -21,7 +21,7 @@ struct Limits {
     VectorXd highest;
 };
 
-/// Which entries of `step` may move, given the slope of the quadratic model there.
+/// Whether a limit keeps an entry of `step` from moving on, given the slope of the quadratic model there.
 bool is_pressed(double step, double lowest, double highest, double slope) {
     return (step <= lowest && slope >= 0.0) || (step >= highest && slope <= 0.0);
 }

@@ -30,7 +30,7 @@ struct BulkOptions {
 };
 
 /// Fits spectra that share everything but the measured values: `problem` with other values in place of
-/// `FitProblem::measured`. `emulator` must have been built for `emulator_domain(problem)`. Starts where the closest of
+/// `Measurement::measured`. `emulator` must have been built for `emulator_domain(problem)`. Starts where the closest of
 /// some synthetic spectra lie, whatever the starts of the problem. Minimum and covariance are those of `fit_spectrum`
 /// with engine emulator. Refers to the problem, which must outlive it.
 class BulkFitter {

@@ -7,12 +7,14 @@
 #include <cmath>
 #include <set>
 
+#include "fit/critical_values.hpp"
+#include "fit/minimum.hpp"
+
 namespace skinfit {
 namespace {
 
-constexpr double monte_carlo_share = 0.5;  // of the noise
-constexpr double better_cost = 1e-3;
-constexpr double almost_as_well = 3.84;  // of the cost: 95 % of chi-square with one degree of freedom
+constexpr double monte_carlo_share = 0.5;                 // of the noise
+constexpr double almost_as_well = normal_95 * normal_95;  // of the cost
 constexpr double different_sigmas = 0.1;
 constexpr double mixed = 1.01;        // R-hat, [VEHTARI21]
 constexpr double enough_draws = 400;  // effective, [VEHTARI21]
@@ -139,8 +141,8 @@ void judge_solvers(const FitResult& result, std::vector<std::string>& reasons) {
     for (const SolverAnswer& other : result.cross_check) {
         const double gain = result.cost - other.minimum.cost;
         const std::optional<double> difference = largest_difference_in_sigmas(result, other.minimum);
-        const bool as_good = std::abs(gain) <= better_cost;
-        if (gain > better_cost || (as_good && difference && *difference > different_sigmas)) {
+        const bool as_good = std::abs(gain) <= negligible_gain;
+        if (gain > negligible_gain || (as_good && difference && *difference > different_sigmas)) {
             reasons.push_back(fmt::format(
                 "SOLVERS DISAGREE: another solver ended at {} {:.6g} instead of {:.6g}{}, {:.2g} sigma away; set more "
                 "starts, or fix parameters that trade against each other",

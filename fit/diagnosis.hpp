@@ -7,7 +7,7 @@
 
 namespace skinfit {
 
-/// What is wrong with a fit, worst first, and what follows from it.
+/// What is wrong with a fit, in the order of the checks, and what follows from it.
 struct Diagnosis {
     Verdict verdict;
     std::vector<std::string> reasons;  ///< `<what>; <what to do>`

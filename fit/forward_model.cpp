@@ -21,7 +21,7 @@ EscapedLight blank_light(std::size_t wavelengths, std::size_t parameters) {
 }
 
 /// What both models of one geometry say of one wavelength.
-struct Response {
+struct LayerResponse {
     double share;
     double standard_error;
     const PerLayer<double>& by_optical_depth;
@@ -35,7 +35,7 @@ EscapedLight absorbed_light(double surface_share, const Skin& skin, const std::v
     light.surface.setConstant(surface_share);
     for (std::size_t i = 0; i < pigments.size(); ++i) {
         const auto row = static_cast<Index>(i);
-        const Response response = respond(i);
+        const LayerResponse response = respond(i);
         light.share[row] = response.share;
         light.standard_error[row] = response.standard_error;
         for (std::size_t k = 0; k < parameters.size(); ++k) {
@@ -55,7 +55,7 @@ EscapedLight light_of_model(const PathEnsemble& ensemble, const Experiment& expe
     const std::vector<EnsembleResponse> responses = ensemble.respond(optical_depths(skin, wavelengths.pigments));
     return absorbed_light(ensemble.surface_share(), skin, wavelengths.pigments, parameters, [&](std::size_t i) {
         const Escape& escape = responses[i][side];
-        return Response{escape.share, escape.standard_error, escape.by_optical_depth};
+        return LayerResponse{escape.share, escape.standard_error, escape.by_optical_depth};
     });
 }
 
@@ -64,7 +64,7 @@ EscapedLight light_of_model(const Emulator& emulator, const Experiment& experime
     const Skin& skin = experiment.values.skin;
     const std::vector<EmulatedShare> shares = emulator.respond(optical_depths(skin, wavelengths.pigments));
     return absorbed_light(emulator.surface_share(), skin, wavelengths.pigments, parameters, [&](std::size_t i) {
-        return Response{shares[i].share, emulator.certified_error(i), shares[i].by_optical_depth};
+        return LayerResponse{shares[i].share, emulator.certified_error(i), shares[i].by_optical_depth};
     });
 }
 

@@ -28,7 +28,8 @@ struct Minimum {
 /// J by positions. It vanishes at a minimum, and a direction along which the cost is flat adds nothing.
 [[nodiscard]] double expected_gain(const FitProblem& problem, const Misfit& misfit, std::span<const double> values);
 
-/// A cost that can fall by less moves no parameter by more than a thirtieth of its standard deviation.
+/// A lower cost than another by more than this is a better minimum: a cost that can fall by less moves no parameter by
+/// more than a thirtieth of its standard deviation.
 inline constexpr double negligible_gain = 1e-3;
 
 /// The termination of a method that was not given the evaluations to end by itself.

@@ -5,6 +5,8 @@
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 
+#include "fit/chain_statistics.hpp"
+
 namespace skinfit {
 namespace {
 
@@ -13,14 +15,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double tail = 0.025;
-
-/// The value below which `share` of the ascending `values` lie, linear between them.
-double quantile(const std::vector<double>& values, double share) {
-    const double place = share * static_cast<double>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
-    return std::lerp(values[below], values[above], place - std::floor(place));
-}
 
 std::vector<Bounds> band_of_draws(const Objective& objective, const MatrixXd& draws) {
     constexpr Index most = 400;
@@ -32,10 +26,8 @@ std::vector<Bounds> band_of_draws(const Objective& objective, const MatrixXd& dr
     }
     std::vector<Bounds> band;
     for (Index row = 0; row < readings.rows(); ++row) {
-        std::vector<double> sorted(static_cast<std::size_t>(count));
-        VectorXd::Map(sorted.data(), count) = readings.row(row).transpose();
-        std::ranges::sort(sorted);
-        band.push_back({.lower = quantile(sorted, tail), .upper = quantile(sorted, 1.0 - tail)});
+        const MatrixXd drawn = readings.row(row);
+        band.push_back({.lower = quantile(drawn, tail), .upper = quantile(drawn, 1.0 - tail)});
     }
     return band;
 }

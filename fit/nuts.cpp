@@ -60,7 +60,8 @@ MatrixXd learnt_covariance(const MatrixXd& positions) {
 }  // namespace
 
 ChainRandom::ChainRandom(std::uint64_t seed, std::uint64_t chain)
-    // Far from the rays of any walk, which are numbered from 0.
+    // Apart from the rays of walks, which are numbered from 0. Recorded walks take the lowest 2^36 of these numbers,
+    // see `RankedNumbers`: what must not depend on one begins further up.
     : numbers_(seed, chain | (std::uint64_t{1} << 63U)) {}
 
 double ChainRandom::uniform() {

@@ -8,7 +8,7 @@
 
 namespace skinfit {
 
-using Row = Eigen::Index;
+using Index = Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
@@ -19,20 +19,20 @@ Objective::Objective(const FitProblem& problem, const std::vector<ForwardModel>&
         const Measurement& measurement = problem.measurements[k];
         models_.emplace_back(problem, k, models[k]);
         noise_.emplace_back(measurement.wavelength_nm, measurement.sigma, problem.discrepancy);
-        first_row_.push_back(first_row_.back() + static_cast<Row>(measurement.wavelength_nm.size()));
+        first_row_.push_back(first_row_.back() + static_cast<Index>(measurement.wavelength_nm.size()));
     }
 }
 
 Objective::Modelled Objective::model(std::span<const double> values) const {
     leave_if_cancelled(stop_);
     if (models_.size() == 1) return models_.front().model(values);
-    const Row rows = first_row_.back();
+    const Index rows = first_row_.back();
     Modelled all{.reading = VectorXd(rows),
-                 .jacobian = MatrixXd(rows, static_cast<Row>(free_count())),
+                 .jacobian = MatrixXd(rows, static_cast<Index>(free_count())),
                  .standard_error = VectorXd(rows)};
     for (std::size_t k = 0; k < models_.size(); ++k) {
         const Modelled part = models_[k].model(values);
-        const Row first = first_row_[k];
+        const Index first = first_row_[k];
         all.reading.segment(first, part.reading.size()) = part.reading;
         all.jacobian.middleRows(first, part.reading.size()) = part.jacobian;
         all.standard_error.segment(first, part.reading.size()) = part.standard_error;
@@ -57,11 +57,11 @@ std::size_t Objective::residual_count() const {
 
 Misfit Objective::misfit(std::span<const double> values) const {
     const Modelled modelled = model(values);
-    const auto rows = static_cast<Row>(reading_count());
-    const auto all_rows = static_cast<Row>(residual_count());
+    const auto rows = static_cast<Index>(reading_count());
+    const auto all_rows = static_cast<Index>(residual_count());
     const VectorXd hard = weighted_and_whitened(differences(modelled.reading));
     Misfit misfit{.residual = VectorXd(all_rows), .jacobian = MatrixXd(all_rows, modelled.jacobian.cols())};
-    for (Row row = 0; row < rows; ++row) {
+    for (Index row = 0; row < rows; ++row) {
         misfit.residual[row] = softened(hard[row], problem_->loss, problem_->loss_scale).value;
     }
     misfit.jacobian.topRows(rows) = residual_changes(modelled.reading, modelled.jacobian);
@@ -74,15 +74,15 @@ Misfit Objective::misfit(std::span<const double> values) const {
 
 /// The rows of the priors alone.
 Misfit Objective::prior_misfit(std::span<const double> values) const {
-    const auto rows = static_cast<Row>(residual_count() - reading_count());
-    Misfit misfit{.residual = VectorXd(rows), .jacobian = MatrixXd::Zero(rows, static_cast<Row>(free_count()))};
-    Row row = 0;
+    const auto rows = static_cast<Index>(residual_count() - reading_count());
+    Misfit misfit{.residual = VectorXd(rows), .jacobian = MatrixXd::Zero(rows, static_cast<Index>(free_count()))};
+    Index row = 0;
     for (std::size_t i = 0; i < free_count(); ++i) {
         const FreeParameter& free = problem_->free[i];
         if (!free.prior) continue;
         const Residual residual = prior_residual(*free.prior, values[i]);
         misfit.residual[row] = residual.value;
-        misfit.jacobian(row, static_cast<Row>(i)) = residual.slope;
+        misfit.jacobian(row, static_cast<Index>(i)) = residual.slope;
         ++row;
     }
     for (const DerivedPrior& derived : problem_->derived_priors) {
@@ -93,7 +93,7 @@ Misfit Objective::prior_misfit(std::span<const double> values) const {
             if (!problem_->free[i].belongs_to(derived.measurement)) continue;
             const double slope = derived_slope(derived.quantity, all, problem_->free[i].parameter);
             // Where the residual is infinite, a parameter without effect still has none.
-            misfit.jacobian(row, static_cast<Row>(i)) = slope == 0.0 ? 0.0 : residual.slope * slope;
+            misfit.jacobian(row, static_cast<Index>(i)) = slope == 0.0 ? 0.0 : residual.slope * slope;
         }
         ++row;
     }
@@ -104,7 +104,7 @@ VectorXd Objective::differences(const VectorXd& reading) const {
     VectorXd difference = reading;
     for (std::size_t k = 0; k < models_.size(); ++k) {
         const std::vector<double>& measured = problem_->measurements[k].measured;
-        const auto rows = static_cast<Row>(measured.size());
+        const auto rows = static_cast<Index>(measured.size());
         difference.segment(first_row_[k], rows) -= Eigen::Map<const VectorXd>(measured.data(), rows);
     }
     return difference;
@@ -114,8 +114,8 @@ MatrixXd Objective::weighted_and_whitened(const MatrixXd& changes) const {
     MatrixXd white(changes.rows(), changes.cols());
     for (std::size_t k = 0; k < noise_.size(); ++k) {
         const std::vector<double>& weights = problem_->measurements[k].weight;
-        const Row first = first_row_[k];
-        const Row rows = first_row_[k + 1] - first;
+        const Index first = first_row_[k];
+        const Index rows = first_row_[k + 1] - first;
         if (weights.empty()) {
             white.middleRows(first, rows) = noise_[k].whiten(changes.middleRows(first, rows));
         } else {
@@ -149,7 +149,7 @@ MatrixXd Objective::residual_changes(const VectorXd& reading, const MatrixXd& ch
     MatrixXd whitened = weighted_and_whitened(changes);
     if (problem_->loss == Loss::squares) return whitened;
     const VectorXd hard = weighted_and_whitened(differences(reading));
-    for (Row row = 0; row < whitened.rows(); ++row) {
+    for (Index row = 0; row < whitened.rows(); ++row) {
         whitened.row(row) *= softened(hard[row], problem_->loss, problem_->loss_scale).slope;
     }
     return whitened;

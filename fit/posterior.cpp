@@ -99,11 +99,12 @@ MatrixXd correlation_of(const MatrixXd& draws) {
 std::vector<NutsChain> started_chains(const BoxMisfit& misfit, const VectorXd& minimum,
                                       const SamplingOptions& options) {
     constexpr double dispersion = 2.0;
+    constexpr std::uint64_t first_stream = std::uint64_t{1} << 40U;  // apart from those of recorded walks
     const Laplace normal = laplace(misfit, minimum);
     const MatrixXd root = normal.covariance.llt().matrixL();
     std::vector<NutsChain> chains;
     for (int chain = 0; chain < options.chains; ++chain) {
-        ChainRandom random(options.seed, static_cast<std::uint64_t>(chain));
+        ChainRandom random(options.seed, first_stream + static_cast<std::uint64_t>(chain));
         VectorXd away(minimum.size());
         for (double& number : away) number = random.normal();
         chains.emplace_back(logit_density(misfit), normal.centre + dispersion * (root * away), normal.covariance,

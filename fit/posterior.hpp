@@ -18,7 +18,7 @@ struct SamplingOptions {
     int most_draws = 4000;            ///< of each chain
 };
 
-/// What the draws say of one parameter, positions in the unit box.
+/// What the draws say of one parameter: positions in the unit box, in a result values.
 struct Marginal {
     double median;
     double mean;

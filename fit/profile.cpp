@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/erase_repeated.hpp"
+#include "fit/critical_values.hpp"
 
 namespace skinfit {
 namespace {
@@ -15,8 +16,6 @@ using Eigen::VectorXd;
 // What the others of a point of a profile may still gain: a part in 400 of the rise at the end of an interval, which
 // moves that end by less than 0.002 sigma.
 constexpr double cost_tolerance = 0.01;
-constexpr double lower_cost = 1e-3;               // a gain that counts as another minimum
-constexpr double normal_95 = 1.9599639845400545;  // 97.5 % quantile of the normal distribution
 
 double normal_share_below(double x) {
     return 0.5 * std::erfc(-x / std::sqrt(2.0));
@@ -30,10 +29,10 @@ ProfilePoint profile_point(const BoxPoint& point, Index column, double rise) {
             .sigma = sigma_along(point, column)};
 }
 
-/// A walk along the profile of one position, from the minimum towards one bound.
-class Walk {
+/// The search along the profile of one position, from the minimum towards one bound.
+class ProfileSearch {
 public:
-    Walk(const BoxMisfit& misfit, const BoxPoint& minimum, Index column, double limit)
+    ProfileSearch(const BoxMisfit& misfit, const BoxPoint& minimum, Index column, double limit)
         : misfit_(&misfit),
           minimum_(&minimum),
           column_(column),
@@ -46,7 +45,7 @@ public:
         bool open = false;
         std::optional<VectorXd> better;  ///< met on the way
         int evaluations = 0;
-        ProfileCurve curve;  ///< in the order of the walk, without the minimum
+        ProfileCurve curve;  ///< in the order of the search, without the minimum
     };
     [[nodiscard]] End run();
 
@@ -65,7 +64,7 @@ private:
 };
 
 /// Where the linearised misfit has risen to the threshold.
-double Walk::first_distance() const {
+double ProfileSearch::first_distance() const {
     const double sigma = sigma_along(*minimum_, column_);
     const double direction = limit_ > minimum_->position[column_] ? 1.0 : -1.0;
     const double slope =
@@ -77,7 +76,7 @@ double Walk::first_distance() const {
 }
 
 /// Newton's next distance for a root that is `excess` above its threshold at `last_`, kept within what is known.
-double Walk::next(double excess, double root) {
+double ProfileSearch::next(double excess, double root) {
     const double whole = std::abs(limit_ - minimum_->position[column_]);
     const double here = std::abs(last_.position[column_] - minimum_->position[column_]);
     const double direction = limit_ > minimum_->position[column_] ? 1.0 : -1.0;
@@ -96,7 +95,7 @@ double Walk::next(double excess, double root) {
     return is_known ? 0.5 * (inside_ + farthest) : newton;
 }
 
-Walk::End Walk::run() {
+ProfileSearch::End ProfileSearch::run() {
     constexpr double close_enough = 0.01;  // of the root; the last step of Newton's method leaves its square
     constexpr int most_points = 40;
     const double origin = minimum_->position[column_];
@@ -115,7 +114,7 @@ Walk::End Walk::run() {
         end.evaluations += descent.evaluations;
         last_ = std::move(descent.point);
         const double rise = last_.cost - minimum_->cost;
-        if (rise < -lower_cost) {
+        if (rise < -negligible_gain) {
             end.better = last_.position;
             return end;
         }
@@ -133,10 +132,10 @@ Walk::End Walk::run() {
     return end;
 }
 
-/// The minimum and what two walks from it have met, by ascending position.
-ProfileCurve curve_of(const ProfilePoint& minimum, const Walk::End& below, const Walk::End& above) {
+/// The minimum and what two searches from it have met, by ascending position.
+ProfileCurve curve_of(const ProfilePoint& minimum, const ProfileSearch::End& below, const ProfileSearch::End& above) {
     ProfileCurve curve = {minimum};
-    for (const Walk::End* end : {&below, &above}) {
+    for (const ProfileSearch::End* end : {&below, &above}) {
         std::ranges::copy_if(end->curve, std::back_inserter(curve), [](const ProfilePoint& point) {
             return std::isfinite(point.cost_rise) && std::isfinite(point.cost_slope);
         });
@@ -181,8 +180,8 @@ Profile profile_intervals(const BoxMisfit& misfit, const VectorXd& minimum) {
         profile.intervals.clear();
         std::optional<VectorXd> better;
         for (Index column = 0; column < minimum.size(); ++column) {
-            const Walk::End below = Walk(misfit, best.point, column, 0.0).run();
-            const Walk::End above = Walk(misfit, best.point, column, 1.0).run();
+            const ProfileSearch::End below = ProfileSearch(misfit, best.point, column, 0.0).run();
+            const ProfileSearch::End above = ProfileSearch(misfit, best.point, column, 1.0).run();
             profile.evaluations += below.evaluations + above.evaluations;
             if (below.better) better = below.better;
             if (above.better) better = above.better;
@@ -198,7 +197,7 @@ Profile profile_intervals(const BoxMisfit& misfit, const VectorXd& minimum) {
     }
     profile.minimum = best.point.position;
     profile.cost = best.point.cost;
-    profile.better_minimum = profile.cost < given_cost - lower_cost;
+    profile.better_minimum = profile.cost < given_cost - negligible_gain;
     return profile;
 }
 

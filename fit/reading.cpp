@@ -10,16 +10,6 @@ Side measured_side(Quantity quantity) {
     return quantity == Quantity::reflectance ? Side::top : Side::bottom;
 }
 
-ReadingLaw reading_law(const Experiment& experiment, Quantity quantity) {
-    const Instrument& instrument = experiment.values.instrument;
-    const bool reflected = quantity == Quantity::reflectance;
-    return {
-        .scale = instrument.scale,
-        .offset = instrument.offset,
-        .surface_weight = reflected ? surface_weight(experiment) : 0.0,
-        .collects_fraction = reflected && experiment.specular == Specular::excluded && !experiment.viewing_cone_rad};
-}
-
 Eigen::VectorXd readings(const EscapedLight& light, const Experiment& experiment, Quantity quantity) {
     const ReadingLaw law = reading_law(experiment, quantity);
     return light.share.binaryExpr(light.surface,

@@ -27,15 +27,15 @@ std::string inflation_text(const FitResult& result) {
 std::string directions_text(const Identifiability& found) {
     std::string text =
         "what the spectrum can tell, in sigmas of noise for a standard deviation of what was known before (priors, "
-        "else "
-        "bounds):\n";
+        "else bounds):\n";
     for (const Direction& direction : found.directions) {
         text += fmt::format("  {:>8.3g}  {}{}\n", direction.singular_value, in_words(direction, found.names),
                             direction.is_weak() ? "  WEAK" : "");
     }
     text += "of the variance known before, the spectrum takes away:\n";
     for (std::size_t i = 0; i < found.names.size(); ++i) {
-        text += fmt::format("  {:>6.1f} %  {}\n", 100.0 * found.shrinkage[i], found.names[i]);
+        text += fmt::format("  {:>6.1f} %  {}{}\n", 100.0 * found.shrinkage[i], found.names[i],
+                            found.shrinkage[i] < 0.0 ? "  (values lie further apart than before)" : "");
     }
     return text;
 }

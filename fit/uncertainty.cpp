@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/critical_values.hpp"
 #include "fit/identifiability.hpp"
 
 namespace skinfit {
@@ -38,11 +39,11 @@ Linearised linearise(const Objective& objective, const Minimum& minimum) {
     return linear;
 }
 
-/// At a bound where chi2 falls only outwards; otherwise free.
-Status bound_status(const FreeParameter& free, double value, double chi2_slope) {
+/// At a bound where the cost falls only outwards; otherwise free.
+Status bound_status(const FreeParameter& free, double value, double cost_slope) {
     const double touching = touching_share * (free.bounds.upper - free.bounds.lower);
-    if (value - free.bounds.lower <= touching && chi2_slope >= 0.0) return Status::at_lower_bound;
-    if (free.bounds.upper - value <= touching && chi2_slope <= 0.0) return Status::at_upper_bound;
+    if (value - free.bounds.lower <= touching && cost_slope >= 0.0) return Status::at_lower_bound;
+    if (free.bounds.upper - value <= touching && cost_slope <= 0.0) return Status::at_upper_bound;
     return Status::free;
 }
 
@@ -62,7 +63,8 @@ Inverse invert(const MatrixXd& jacobian) {
     return {.covariance = scaled * scaled.transpose(), .response = scaled * svd.matrixU().transpose()};
 }
 
-/// How far into the box chi2 rises by 2.71 (one-sided 95 %), the inner parameters following; in units of the parameter.
+/// How far into the box the cost rises by 2.71 (one-sided 95 %), the inner parameters following; in units of the
+/// parameter.
 double distance_into_box(const Linearised& linear, Index column, const MatrixXd& inner, const Inverse& inverse) {
     constexpr double rise = 2.705543;  // square of the 95 % quantile of the normal distribution
     const VectorXd direct = linear.jacobian.col(column);
@@ -130,7 +132,6 @@ ParameterUncertainty not_identifiable(const Bounds& bounds) {
 }
 
 ParameterUncertainty inner_uncertainty(double value, double sigma, double monte_carlo_sigma, const Bounds& bounds) {
-    constexpr double normal_95 = 1.959964;
     return {.status = Status::free,
             .sigma = sigma,
             .monte_carlo_sigma = monte_carlo_sigma,

@@ -38,7 +38,7 @@ bool has_decimal_commas(const Columns& columns, std::span<const std::size_t> wan
 }
 
 /// A cell that is neither a number nor missing.
-struct Word {
+struct CellWord {
     std::size_t line;
     std::string_view cell;
 };
@@ -96,7 +96,7 @@ NumberTable read_number_table(const Columns& columns, std::span<const std::size_
     NumberTable table{.width = wanted.size(),
                       .cells = std::vector<double>(wanted.size() * columns.rows.size()),
                       .holds_words = std::vector<bool>(wanted.size(), true)};
-    std::vector<std::optional<Word>> first_word(wanted.size());
+    std::vector<std::optional<CellWord>> first_word(wanted.size());
     CellCutter cutter(columns.separator);
     double* next = table.cells.data();
     for (const Row& row : columns.rows) {
@@ -110,7 +110,7 @@ NumberTable read_number_table(const Columns& columns, std::span<const std::size_
                 continue;
             }
             *next = std::numeric_limits<double>::quiet_NaN();
-            if (!first_word[i] && !is_missing(cell)) first_word[i] = Word{.line = row.line, .cell = cell};
+            if (!first_word[i] && !is_missing(cell)) first_word[i] = CellWord{.line = row.line, .cell = cell};
         }
     }
     for (std::size_t i = 0; i < wanted.size(); ++i) {

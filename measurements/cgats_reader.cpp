@@ -28,7 +28,7 @@ struct Token {
 };
 
 /// One table of the file: its keywords, the names of its fields and its sets, one after the other.
-struct Table {
+struct CgatsTable {
     std::map<std::string, Token, std::less<>> keywords;
     std::vector<Token> fields;
     std::vector<Token> cells;
@@ -51,8 +51,8 @@ struct Table {
 /// Where the words of a line go.
 enum class Section { keywords, fields, data };
 
-std::vector<Table> tables_in(const Lines& lines, const std::string& source) {
-    std::vector<Table> tables(1);
+std::vector<CgatsTable> tables_in(const Lines& lines, const std::string& source) {
+    std::vector<CgatsTable> tables(1);
     Section section = Section::keywords;
     CellCutter cutter(' ');
     for (const Row& row : lines.rows) {
@@ -90,7 +90,7 @@ struct Bands {
 
 /// Fields are called `SPEC_360`, `NM_360`, `nm360`, `SPECTRAL_NM360` or `SPECTRAL_NM_360`. Argyll rounds the names to
 /// whole nanometres; SPECTRAL_START_NM, SPECTRAL_END_NM and SPECTRAL_BANDS, where they agree with them, are exact.
-Bands bands_of(const Table& table) {
+Bands bands_of(const CgatsTable& table) {
     constexpr std::array<std::string_view, 5> prefixes = {"spec_", "spectral_nm_", "spectral_nm", "nm_", "nm"};
     Bands bands;
     for (std::size_t i = 0; i < table.fields.size(); ++i) {
@@ -117,7 +117,7 @@ Bands bands_of(const Table& table) {
     return bands;
 }
 
-std::optional<std::size_t> field_called(const Table& table, std::string_view name) {
+std::optional<std::size_t> field_called(const CgatsTable& table, std::string_view name) {
     const auto found = std::ranges::find(table.fields, name, &Token::text);
     if (found == table.fields.end()) return std::nullopt;
     return static_cast<std::size_t>(found - table.fields.begin());
@@ -134,7 +134,7 @@ double reading(const Token& cell, std::string_view field, const std::string& sou
 }
 
 /// By SPECTRAL_NORM, the reading of a perfect white; else by the rule for files that state nothing.
-UnitFinding unit_of(const Table& table, const std::vector<double>& readings, const std::optional<Unit>& option) {
+UnitFinding unit_of(const CgatsTable& table, const std::vector<double>& readings, const std::optional<Unit>& option) {
     const double norm = table.number("SPECTRAL_NORM").value_or(0.0);
     if (option || (norm != 1.0 && norm != 100.0)) {
         std::vector<double> present;
@@ -146,7 +146,7 @@ UnitFinding unit_of(const Table& table, const std::vector<double>& readings, con
             .rule = fmt::format("{}: stated by SPECTRAL_NORM", percent ? "percent" : "fraction")};
 }
 
-std::optional<Quantity> quantity_of(const Table& table) {
+std::optional<Quantity> quantity_of(const CgatsTable& table) {
     const std::string type = lower_case(table.keyword("MEAS_TYPE"));
     if (type.starts_with("reflect")) return Quantity::reflectance;
     if (type.starts_with("transmi")) return Quantity::transmittance;
@@ -154,7 +154,7 @@ std::optional<Quantity> quantity_of(const Table& table) {
 }
 
 /// Throws InputError where the sets are not as many and as long as they are said to be.
-void check_sets(const Table& table, const std::string& source) {
+void check_sets(const CgatsTable& table, const std::string& source) {
     const std::size_t width = table.fields.size();
     const std::size_t sets = table.cells.size() / width;
     if (table.cells.size() % width != 0) {
@@ -166,7 +166,7 @@ void check_sets(const Table& table, const std::string& source) {
     refuse(source, 0, fmt::format("holds {} sets", sets), fmt::format("NUMBER_OF_SETS promises {}", *promised));
 }
 
-std::vector<Spectrum> spectra_of(const Table& table, const std::string& source, const ReadOptions& options) {
+std::vector<Spectrum> spectra_of(const CgatsTable& table, const std::string& source, const ReadOptions& options) {
     const Bands bands = bands_of(table);
     if (bands.field.empty() || table.cells.empty()) return {};
     check_sets(table, source);
@@ -225,7 +225,7 @@ bool holds_cgats(std::string_view text) {
 std::vector<Spectrum> read_cgats(std::string_view text, const std::string& source, const ReadOptions& options) {
     refuse_large_text(text, source);
     std::vector<Spectrum> spectra;
-    for (const Table& table : tables_in(split_comments(text, source), source)) {
+    for (const CgatsTable& table : tables_in(split_comments(text, source), source)) {
         std::ranges::move(spectra_of(table, source, options), std::back_inserter(spectra));
     }
     if (spectra.empty()) {

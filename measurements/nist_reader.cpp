@@ -61,9 +61,9 @@ double sigma_of_mean(std::span<const double> readings, double decimals_step) {
     return std::sqrt(squares / (n - 1) / n + decimals_step * decimals_step / 12);
 }
 
-class Table {
+class NistTable {
 public:
-    Table(const Columns& columns, const NumberTable& numbers) : columns_(columns), numbers_(numbers) {
+    NistTable(const Columns& columns, const NumberTable& numbers) : columns_(columns), numbers_(numbers) {
         const std::vector<double> nm = column(0);
         grid_ = make_grid(nm, [&columns](std::size_t i) {
             const std::size_t line = columns.rows[i].line;
@@ -161,7 +161,7 @@ std::vector<Spectrum> read_nist_m38597(std::string_view text, const std::string&
     std::vector<std::size_t> all(columns.width);
     std::iota(all.begin(), all.end(), std::size_t{0});
     const NumberTable numbers = read_number_table(columns, all);
-    const Table table(columns, numbers);
+    const NistTable table(columns, numbers);
     const std::string header = columns.names.front();
     const UnitStatements statements{.option = options.unit, .comment = std::nullopt, .header = header};
     const std::optional<Quantity> quantity = measurand(columns);

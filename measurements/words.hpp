@@ -5,7 +5,7 @@
 
 namespace skinfit {
 
-/// `text` in single quotes, on one line and cut after 40 bytes, for messages.
+/// `text` in double quotes, on one line and cut after 40 bytes, for messages.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// True for text that stands for a number that is not there: nothing at all, NaN, NA or N/A in any case.

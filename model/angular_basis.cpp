@@ -84,7 +84,7 @@ Eigen::VectorXd PanelBasis::one() const {
 Tabulated even_legendre(const Eigen::ArrayXd& cosine, int count) {
     const Tabulated p = legendre(cosine, 2 * count - 2);
     Tabulated even{.value = Eigen::MatrixXd(cosine.size(), count), .derivative = Eigen::MatrixXd(cosine.size(), count)};
-    for (int n = 0; n < count; ++n) {
+    for (Eigen::Index n = 0; n < count; ++n) {
         even.value.col(n) = p.value.col(2 * n);
         even.derivative.col(n) = p.derivative.col(2 * n);
     }

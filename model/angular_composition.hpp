@@ -70,9 +70,9 @@ private:
     [[nodiscard]] Layered unscattered(int layer, double optical_depth) const;
     [[nodiscard]] Layered scattered(int layer, Layered rows) const;
     [[nodiscard]] Layered layer(Layer layer, double optical_depth) const;
-    [[nodiscard]] Above above_epidermis(double optical_depth) const;
-    [[nodiscard]] Above above_dermis(const Above& above, double optical_depth) const;
-    [[nodiscard]] Chances below_papillary(double optical_depth) const;
+    [[nodiscard]] Above above_epidermis(double stratum_corneum_depth) const;
+    [[nodiscard]] Above above_dermis(const Above& above, double epidermis_depth) const;
+    [[nodiscard]] Chances below_papillary(double reticular_depth) const;
     [[nodiscard]] Dermis dermis(const Layered& papillary, const Chances& below) const;
     [[nodiscard]] PerExit combined(const Above& above, const Chances& papillary_above, const Dermis& dermis) const;
 

@@ -2,29 +2,6 @@
 
 /// The derivatives of the angular solver: the light that arrives at each node times the change of its prospects there.
 namespace skinfit {
-AngularSystem::Prospects AngularSystem::prospects(const RayKind& kind, const Eigen::ArrayXd& cosine,
-                                                  const Tabulated& polynomials) const {
-    const StateBlock& block = grid_->spaces[kind.space].block(kind.layer, kind.heading);
-    const auto prospect = prospect_[kind.space].middleRows(block.first, block.size);
-    const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(cosine.size(), grid_->exits);
-    if (!in_dermis(kind.layer)) return {polynomials.value * prospect, polynomials.derivative * prospect, none};
-    const Eigen::MatrixXd diffuse = Eigen::VectorXd::Ones(cosine.size()) * prospect.row(0);
-    if (!block.rayleigh) return {diffuse, none, none};
-    const Eigen::MatrixXd weighted = scaled(grid_->rayleigh) * prospect.bottomRows(block.size - 1);
-    const Eigen::MatrixXd gain = polynomials.value * weighted - diffuse;
-    const double depth = medium_->rayleigh_depth[static_cast<std::size_t>(kind.layer)];
-    const Eigen::ArrayXd untouched = (-depth / cosine).exp();  // [KA04, Eq. 3]
-    const Eigen::ArrayXd by_depth = untouched / cosine;
-    return {diffuse + scaled(1.0 - untouched) * gain,
-            scaled(1.0 - untouched) * (polynomials.derivative * weighted) - scaled(depth * by_depth / cosine) * gain,
-            scaled(by_depth) * gain};
-}
-
-AngularSystem::Prospects AngularSystem::prospects_beyond(std::size_t space, const AngularSide& side) const {
-    if (!side.exit) return prospects({space, side.next, side.heading}, side.nodes.refracted, side.beyond);
-    const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(side.nodes.transmitting, grid_->exits);
-    return {side.leaving, none, none};
-}
 
 void AngularSystem::add_derivatives(std::size_t space, std::size_t index, const ArrivingLight& light,
                                     AngularShares& shares) const {

@@ -44,11 +44,6 @@ std::vector<StateSpace> state_spaces(const Sample& sample, Eigen::Index polynomi
     return spaces;
 }
 
-InterfaceKind interface_kind(const Sample& sample, int next) {
-    if (next != sample.layers || sample.base.kind == Base::Kind::index) return InterfaceKind::fresnel;
-    return sample.base.kind == Base::Kind::matched ? InterfaceKind::open : InterfaceKind::mirror;
-}
-
 double index_beyond(const Sample& sample, int next) {
     if (next < 0) return 1.0;
     if (next == sample.layers) return sample.base.kind == Base::Kind::index ? sample.base.refractive_index : 1.0;
@@ -98,7 +93,7 @@ AngularGrid::AngularGrid(const Sample& sample, const AngularResolution& resoluti
             const double beyond = index_beyond(sample, next);
             const int rayleigh_degree = 2 * static_cast<int>(rayleigh.size()) - 2;
             InterfaceNodes nodes = interface_nodes(
-                {.kind = interface_kind(sample, next),
+                {.kind = interface_kind(sample.base.kind, sample.layers, next),
                  .ratio = index[static_cast<std::size_t>(layer)] / beyond,
                  .edges_here = edges(layer),
                  .edges_beyond = edges(next)},
@@ -127,8 +122,7 @@ Tabulated AngularGrid::polynomials(int layer, const Eigen::ArrayXd& cosine) cons
 }
 
 std::size_t AngularGrid::space_after_reflection(std::size_t space, const AngularSide& side) const {
-    const bool bounces = in_dermis(side.layer) || in_dermis(side.next);
-    return bounces && space + 1 < spaces.size() ? space + 1 : space;
+    return bounces(side.layer, side.next) && space + 1 < spaces.size() ? space + 1 : space;
 }
 
 }  // namespace skinfit

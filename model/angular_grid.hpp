@@ -38,11 +38,6 @@ enum class Heading : std::size_t { down, up };
     return heading == Heading::down ? Heading::up : Heading::down;
 }
 
-/// Whether `layer`, -1 for the air to the number of layers for the base, is dermis or below it.
-[[nodiscard]] constexpr bool in_dermis(int layer) {
-    return layer >= static_cast<int>(Layer::papillary_dermis);
-}
-
 /// Columns of what is kept per way out. What leaves through the top into the viewing cone is a part of what leaves
 /// through the top; it has a column where there is a cone.
 inline constexpr Eigen::Index top_exit = 0;

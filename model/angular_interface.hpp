@@ -3,14 +3,9 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace skinfit {
+#include "model/interface_rules.hpp"
 
-/// What a ray meets at an interface.
-enum class InterfaceKind {
-    fresnel,  ///< reflection and refraction
-    mirror,   ///< everything is reflected
-    open,     ///< everything goes on untouched
-};
+namespace skinfit {
 
 /// Quadrature over the cosines of the rays that arrive at one side of an interface, with what becomes of them.
 /// Nodes crowd at grazing incidence, where absorption changes fast, and at the critical angle, where Fresnel's

@@ -110,6 +110,7 @@ struct AngularSolver::Wavelength {
           first(first_scattering(*solver.grid_, *solver.entry_, stack.forward[0])),
           system(*solver.grid_, medium, first) {}
     Wavelength(const Wavelength&) = delete;
+    ~Wavelength() = default;
     Wavelength& operator=(const Wavelength&) = delete;
 
     static AngularEntry first_scattering(const AngularGrid& grid, const Entry& entry,

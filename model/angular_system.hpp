@@ -75,7 +75,7 @@ public:
                                          const Tabulated& polynomials) const;
 
 private:
-    /// x = matrix x + payoff for the unknowns x of a space, per exit.
+    /// p = matrix p + payoff for the prospects p of a space, per exit.
     struct Assembled {
         Eigen::MatrixXd matrix;
         Eigen::MatrixXd payoff;
@@ -93,7 +93,7 @@ private:
     void add_senders(std::size_t space, const AngularSide& side, Eigen::Index first, const Eigen::MatrixXd& senders,
                      Assembled& system) const;
     [[nodiscard]] Eigen::VectorXd bouncing(std::size_t space) const;
-    void add_derivatives(std::size_t space, std::size_t side, const ArrivingLight& light, AngularShares& shares) const;
+    void add_derivatives(std::size_t space, std::size_t index, const ArrivingLight& light, AngularShares& shares) const;
 
     const AngularGrid* grid_;
     const AngularMedium* medium_;

@@ -20,19 +20,19 @@ constexpr double must_begin_nm = 420;
 constexpr double must_end_nm = 680;
 
 /// What the power reflected at one wavelength adds to X, Y and Z.
-struct Weight {
+struct ColourWeight {
     double wavelength_nm;
     Xyz xyz;
 };
 
-std::vector<Weight> weights(const Viewing& viewing) {
+std::vector<ColourWeight> weights(const Viewing& viewing) {
     const Table& observers = embedded_table("cie_observers");
     const bool narrow = viewing.observer == Observer::two_degrees;
     const Curve x(observers, narrow ? "x2" : "x10");
     const Curve y(observers, narrow ? "y2" : "y10");
     const Curve z(observers, narrow ? "z2" : "z10");
     const Curve d65(embedded_table("cie_d65"), "d65");
-    std::vector<Weight> weights;
+    std::vector<ColourWeight> weights;
     for (int nm = first_nm; nm <= last_nm; nm += step_nm) {
         const double power = viewing.illuminant == Illuminant::d65 ? d65(nm) : 1.0;
         weights.push_back(
@@ -42,9 +42,9 @@ std::vector<Weight> weights(const Viewing& viewing) {
 }
 
 template <typename Value>
-Xyz weighted_sum(const std::vector<Weight>& weights, const Value& value) {
+Xyz weighted_sum(const std::vector<ColourWeight>& weights, const Value& value) {
     Xyz sum{};
-    for (const Weight& weight : weights) {
+    for (const ColourWeight& weight : weights) {
         const double v = value(weight.wavelength_nm);
         sum.x += weight.xyz.x * v;
         sum.y += weight.xyz.y * v;
@@ -53,7 +53,7 @@ Xyz weighted_sum(const std::vector<Weight>& weights, const Value& value) {
     return sum;
 }
 
-Xyz diffuser_sum(const std::vector<Weight>& weights) {
+Xyz diffuser_sum(const std::vector<ColourWeight>& weights) {
     return weighted_sum(weights, [](double) { return 1.0; });
 }
 
@@ -104,7 +104,7 @@ Xyz white(const Viewing& viewing) {
 
 SeenColour colour_of(const ColourStimulus& stimulus, const Viewing& viewing) {
     require_enough_wavelengths(stimulus);
-    const std::vector<Weight> all = weights(viewing);
+    const std::vector<ColourWeight> all = weights(viewing);
     const Xyz diffuser = diffuser_sum(all);
     const Xyz sum = weighted_sum(all, [&](double nm) { return value_at(stimulus, nm); });
     const Xyz held = weighted_sum(all, [&](double nm) { return beyond(stimulus, nm) ? 1.0 : 0.0; });

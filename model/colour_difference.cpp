@@ -1,15 +1,14 @@
 #include "model/colour_difference.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "model/constants.hpp"
 
 namespace skinfit {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 constexpr double radians(double degrees) {
-    return degrees * (pi / 180.0);
+    return degrees * rad_per_deg;
 }
 
 /// Chroma and hue with the a* axis stretched near grey, [SHARMA05, Eqs. 5-7].

@@ -49,7 +49,7 @@ std::optional<std::filesystem::path> default_cache_folder() {
         if (value == nullptr || *value == '\0') return std::nullopt;
         return value;
     };
-    if (const auto folder = variable("SKINFIT_CACHE_DIR")) return folder;
+    if (auto folder = variable("SKINFIT_CACHE_DIR")) return folder;
     if (const auto folder = variable("XDG_CACHE_HOME")) return *folder / "skinfit";
     if (const auto folder = variable("HOME")) return *folder / ".cache" / "skinfit";
     return std::nullopt;

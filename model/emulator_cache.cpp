@@ -15,18 +15,18 @@
 #include "core/file.hpp"
 #include "model/sample_key.hpp"
 
-// Layout of the data: Header, groups, coefficients, counts.
+// Layout of the data: EmulatorHeader, groups, coefficients, counts.
 namespace skinfit {
 namespace {
 
-struct Header {
+struct EmulatorHeader {
     double surface_share;
     std::uint64_t wavelengths;
     std::uint64_t groups;
     std::uint64_t coefficients;
     std::uint64_t counts;
 };
-static_assert(std::is_trivially_copyable_v<Header> && std::is_trivially_copyable_v<Emulator::Group>);
+static_assert(std::is_trivially_copyable_v<EmulatorHeader> && std::is_trivially_copyable_v<Emulator::Group>);
 
 constexpr std::string_view format = "skinfit emul. 1\n";
 
@@ -57,12 +57,12 @@ std::string emulator_key(const EmulatorDomain& domain) {
 void write_emulator_file(const std::filesystem::path& path, std::string_view key, const Emulator& emulator,
                          const std::stop_token& stop) {
     const Emulator::Parts parts = emulator.parts();
-    const Header header{.surface_share = parts.surface_share,
-                        .wavelengths = parts.wavelength_count,
-                        .groups = parts.groups.size(),
-                        .coefficients = parts.coefficients.size(),
-                        .counts = parts.counts.size()};
-    const std::array bytes = {bytes_of(std::span<const Header>(&header, 1)),
+    const EmulatorHeader header{.surface_share = parts.surface_share,
+                                .wavelengths = parts.wavelength_count,
+                                .groups = parts.groups.size(),
+                                .coefficients = parts.coefficients.size(),
+                                .counts = parts.counts.size()};
+    const std::array bytes = {bytes_of(std::span<const EmulatorHeader>(&header, 1)),
                               bytes_of(std::span<const Emulator::Group>(parts.groups)), bytes_of(parts.coefficients),
                               bytes_of(parts.counts)};
     write_stored_file(path, format, key, bytes, stop);
@@ -72,7 +72,7 @@ std::variant<Emulator, Unusable> read_emulator_file(const std::filesystem::path&
     const auto stored = read_stored_file(path, format, key);
     if (const auto* const unusable = std::get_if<Unusable>(&stored)) return *unusable;
     const auto& [bytes, owner] = std::get<StoredData>(stored);
-    Header header{};
+    EmulatorHeader header{};
     std::memcpy(&header, bytes.data(), sizeof header);
     std::vector<Emulator::Group> groups(header.groups);
     const char* const first_group = bytes.data() + sizeof header;

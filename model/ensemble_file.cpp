@@ -5,17 +5,17 @@
 #include <span>
 #include <type_traits>
 
-// Layout of the data: Header, segments, lengths.
+// Layout of the data: EnsembleHeader, segments, lengths.
 namespace skinfit {
 namespace {
 
-struct Header {
+struct EnsembleHeader {
     std::uint64_t rays;
     std::uint64_t wavelengths;
     std::uint64_t floats;
     double surface_share;
 };
-static_assert(std::is_trivially_copyable_v<Header> && std::is_trivially_copyable_v<PathEnsemble::Segments>);
+static_assert(std::is_trivially_copyable_v<EnsembleHeader> && std::is_trivially_copyable_v<PathEnsemble::Segments>);
 
 constexpr std::string_view format = "skinfit paths 2\n";
 
@@ -24,11 +24,11 @@ constexpr std::string_view format = "skinfit paths 2\n";
 void write_ensemble_file(const std::filesystem::path& path, std::string_view key, const PathEnsemble& ensemble,
                          const std::stop_token& stop) {
     const PathEnsemble::Recording recording = ensemble.recording();
-    const Header header{.rays = ensemble.rays(),
-                        .wavelengths = recording.segments.size(),
-                        .floats = recording.lengths.size(),
-                        .surface_share = ensemble.surface_share()};
-    const std::array parts = {bytes_of(std::span<const Header>(&header, 1)), bytes_of(recording.segments),
+    const EnsembleHeader header{.rays = ensemble.rays(),
+                                .wavelengths = recording.segments.size(),
+                                .floats = recording.lengths.size(),
+                                .surface_share = ensemble.surface_share()};
+    const std::array parts = {bytes_of(std::span<const EnsembleHeader>(&header, 1)), bytes_of(recording.segments),
                               bytes_of(recording.lengths)};
     write_stored_file(path, format, key, parts, stop);
 }
@@ -37,7 +37,7 @@ std::variant<PathEnsemble, Unusable> read_ensemble_file(const std::filesystem::p
     const auto stored = read_stored_file(path, format, key);
     if (const auto* const unusable = std::get_if<Unusable>(&stored)) return *unusable;
     const auto& [bytes, owner] = std::get<StoredData>(stored);
-    Header header{};
+    EnsembleHeader header{};
     std::memcpy(&header, bytes.data(), sizeof header);
     const char* const first_segment = bytes.data() + sizeof header;
     std::vector<PathEnsemble::Segments> segments(header.wavelengths);

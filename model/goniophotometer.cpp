@@ -36,14 +36,14 @@ private:
     double width_;   // of the squared sine
 };
 
-struct Direction {
+struct ExitDirection {
     double cosine;
     double azimuth_rad;
 };
 
 /// A mirror direction at azimuth 0 warped by the folds of the skin; below the horizon it is drawn again, from further
 /// attempts at the surface's event. (open in [KA04])
-Direction warped_mirror_direction(const FoldWarp& warp, const RandomRay& random, double mirror_cosine) {
+ExitDirection warped_mirror_direction(const FoldWarp& warp, const RandomRay& random, double mirror_cosine) {
     for (std::uint32_t attempt = 1;; ++attempt) {
         const FourUniforms xi = random.uniforms(0, attempt);
         for (const std::size_t first : {0U, 2U}) {
@@ -71,10 +71,10 @@ struct Setup {
 
 void count_ray(const Setup& setup, const RandomRay& random, AngularCounts& counts) {
     const double incidence_cosine = setup.illumination.cosine(random);
-    SpatialRandomWalk walk(setup.stack, random);
+    DirectionalRandomWalk walk(setup.stack, random);
     const Exit exit = follow_analog(walk, setup.depth, incidence_cosine, counts.totals);
     if (exit == Exit::surface) {
-        const Direction direction = warped_mirror_direction(setup.warp, random, incidence_cosine);
+        const ExitDirection direction = warped_mirror_direction(setup.warp, random, incidence_cosine);
         ++counts.surface[setup.bins.index(direction.cosine, direction.azimuth_rad)];
     } else if (exit != Exit::absorbed) {
         std::vector<std::uint64_t>& way_out = exit == Exit::reflected ? counts.subsurface : counts.transmitted;

@@ -76,14 +76,14 @@ HWY_INLINE Crossing refract(const Refraction& at, Vector cosine, Vector xi) {
 }
 
 HWY_INLINE Crossing cross(const MetInterface& interface, Vector cosine, Vector xi) {
-    if (interface.kind == MetInterface::Kind::mirror) return {cosine, constant(interface.reflected_state)};
-    if (interface.kind == MetInterface::Kind::open) return {cosine, constant(interface.transmitted_state)};
+    if (interface.kind == InterfaceKind::mirror) return {cosine, constant(interface.reflected_state)};
+    if (interface.kind == InterfaceKind::open) return {cosine, constant(interface.transmitted_state)};
     return refract(refraction_of(interface), cosine, xi);
 }
 
 /// The interface behind for rays that have `turned`, else that ahead.
 HWY_INLINE Crossing cross_either(const EventGroup& group, Mask turned, Vector cosine, Vector xi) {
-    if (group.ahead.kind == MetInterface::Kind::fresnel && group.behind.kind == MetInterface::Kind::fresnel) {
+    if (group.ahead.kind == InterfaceKind::fresnel && group.behind.kind == InterfaceKind::fresnel) {
         return refract(either(turned, refraction_of(group.behind), refraction_of(group.ahead)), cosine, xi);
     }
     const Crossing ahead = cross(group.ahead, cosine, xi);
@@ -190,19 +190,15 @@ HWY_AFTER_NAMESPACE();
 namespace skinfit {
 namespace {
 
-/// Interface `number`, above layer `number`, as rays meet it that come from `from`.
+/// The interface above or below the layer of rays in state `from`, as they meet it.
 MetInterface met_interface(const LayerStack& stack, const RayState& from, bool upward) {
-    const int number = upward ? from.layer : from.layer + 1;
     const int beyond = upward ? from.layer - 1 : from.layer + 1;
-    const bool base = number == stack.layers;
-    // [KA04, Sec. 3.2]: reflected at interface 3, 4 or 5, either side.
-    const bool bounces = stack.edition == Edition::printed && number >= 2;
-    const auto kind = !base || stack.base == Base::Kind::index ? MetInterface::Kind::fresnel
-                      : stack.base == Base::Kind::matched      ? MetInterface::Kind::open
-                                                               : MetInterface::Kind::mirror;
-    return {.kind = kind,
+    const bool base = beyond == stack.layers;
+    // Whether a ray has been reflected in the dermis matters to the edition as printed alone.
+    const bool bounced = from.bounced || (stack.edition == Edition::printed && bounces(from.layer, beyond));
+    return {.kind = interface_kind(stack.base, stack.layers, beyond),
             .optics = stack.between(from.layer, beyond),
-            .reflected_state = number_of({.layer = from.layer, .upward = !upward, .bounced = from.bounced || bounces}),
+            .reflected_state = number_of({.layer = from.layer, .upward = !upward, .bounced = bounced}),
             .transmitted_state = beyond < 0 ? left_through_top
                                  : base     ? left_through_base
                                             : number_of({.layer = beyond, .upward = upward, .bounced = from.bounced})};

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "model/interface_rules.hpp"
 #include "model/layer_stack.hpp"
 #include "model/ranked_numbers.hpp"
 
@@ -43,9 +44,8 @@ inline constexpr std::size_t order_key_count = static_cast<std::size_t>(state_co
 
 /// One interface as the rays of a group meet it, and the states they go on in.
 struct MetInterface {
-    enum class Kind { fresnel, mirror, open };
-    Kind kind;
-    FresnelInterface optics;  ///< for Kind::fresnel
+    InterfaceKind kind;
+    FresnelInterface optics;  ///< for a Fresnel interface
     int reflected_state;
     int transmitted_state;
 };

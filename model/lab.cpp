@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "model/constants.hpp"
 
 namespace skinfit {
 namespace {
@@ -35,7 +36,7 @@ Xyz xyz_from_lab(const Lab& lab, const Xyz& white) {
 
 std::optional<double> individual_typology_angle_deg(const Lab& lab) {
     if (!(lab.b > 0.0)) return std::nullopt;
-    return std::atan((lab.l - 50.0) / lab.b) * 180.0 / std::numbers::pi;
+    return std::atan((lab.l - 50.0) / lab.b) * 180.0 / pi;
 }
 
 SkinColour skin_colour(double individual_typology_angle_deg) {

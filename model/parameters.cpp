@@ -7,14 +7,14 @@
 namespace skinfit {
 namespace {
 
-struct Row {
+struct ParameterRow {
     ParameterInfo info;
     std::variant<double Skin::*, double Instrument::*> field;
 };
 
 constexpr std::string_view table1 = "[KA04, Table 1]";
 
-const std::array<Row, parameter_count> rows = {{
+const std::array<ParameterRow, parameter_count> rows = {{
     // parameter, name, unit, lowest, highest, lower, upper, steers, meaning, source
     {{Parameter::melanosome_fraction, "melanosome_fraction", "", 0, 1, 0, 0.5, false,
       "volume fraction of melanosomes in the epidermis", table1},
@@ -100,8 +100,8 @@ const std::array<Row, parameter_count> rows = {{
      &Instrument::wavelength_shift_nm},
 }};
 
-const Row& row(Parameter parameter) {
-    const Row& found = rows[static_cast<std::size_t>(parameter)];
+const ParameterRow& row(Parameter parameter) {
+    const ParameterRow& found = rows[static_cast<std::size_t>(parameter)];
     assert(found.info.parameter == parameter);
     return found;
 }
@@ -111,7 +111,7 @@ const Row& row(Parameter parameter) {
 std::span<const ParameterInfo, parameter_count> parameter_table() {
     static const std::array<ParameterInfo, parameter_count> table = [] {
         std::array<ParameterInfo, parameter_count> infos;
-        std::ranges::transform(rows, infos.begin(), &Row::info);
+        std::ranges::transform(rows, infos.begin(), &ParameterRow::info);
         return infos;
     }();
     return table;
@@ -126,7 +126,7 @@ bool belongs_to_instrument(Parameter parameter) {
 }
 
 std::optional<Parameter> find_parameter(std::string_view name) {
-    const auto found = std::ranges::find(rows, name, [](const Row& row) { return row.info.name; });
+    const auto found = std::ranges::find(rows, name, [](const ParameterRow& row) { return row.info.name; });
     if (found == rows.end()) return std::nullopt;
     return found->info.parameter;
 }

@@ -12,7 +12,7 @@ namespace skinfit {
 
 /// How the instrument departs from an ideal spectrophotometer.
 struct Instrument {
-    double scale = 1.0;                ///< measured = scale * reflectance + offset
+    double scale = 1.0;                ///< measured = scale * (reflectance or transmittance) + offset
     double offset = 0.0;               ///< stray light, fraction
     double specular_fraction = 0.0;    ///< of the surface reflectance, seen where specular is excluded
     double wavelength_shift_nm = 0.0;  ///< the model is evaluated at the stated wavelength plus this

@@ -8,6 +8,7 @@
 
 #include "model/azimuth.hpp"
 #include "model/fresnel.hpp"
+#include "model/interface_rules.hpp"
 #include "model/layer_stack.hpp"
 #include "model/random.hpp"
 
@@ -63,7 +64,7 @@ public:
     /// interface and there on or back.
     template <class OnRun>
     std::optional<Exit> follow_event(std::uint32_t event, const FourUniforms& xi, OnRun&& on_run) {
-        const bool completed = layer_ < 2 ? scatter_forward(event, xi) : scatter_in_dermis(event, xi);
+        const bool completed = in_dermis(layer_) ? scatter_in_dermis(event, xi) : scatter_forward(event, xi);
         if (completed && !on_run(layer_, cosine_, xi[3])) return Exit::absorbed;
         cross_interface(xi[2]);
         if (layer_ < 0) return Exit::reflected;
@@ -136,12 +137,13 @@ private:
     /// The next interface in the ray's direction reflects or transmits it. [KA04, Sec. 3.1]
     void cross_interface(double xi) {
         const int beyond = layer_ + step_;
-        if (beyond == stack_->layers && stack_->base != Base::Kind::index) {
-            if (stack_->base == Base::Kind::matched) {
-                layer_ = beyond;
-            } else {
-                reflect(beyond);
-            }
+        const InterfaceKind kind = interface_kind(stack_->base, stack_->layers, beyond);
+        if (kind == InterfaceKind::open) {
+            layer_ = beyond;
+            return;
+        }
+        if (kind == InterfaceKind::mirror) {
+            reflect(beyond);
             return;
         }
         const FresnelInterface& interface = stack_->between(layer_, beyond);
@@ -155,8 +157,7 @@ private:
     }
 
     void reflect(int beyond) {
-        constexpr int top_of_dermis = 2;  // interface 3 of [KA04], either side
-        bounced_ = bounced_ || layer_ >= top_of_dermis || beyond >= top_of_dermis;
+        bounced_ = bounced_ || bounces(layer_, beyond);
         step_ = -step_;
     }
 
@@ -171,7 +172,7 @@ private:
 
 /// The walk for shares of light, and that for directions.
 using RandomWalk = BasicRandomWalk<IgnoredAzimuth>;
-using SpatialRandomWalk = BasicRandomWalk<FollowedAzimuth>;
+using DirectionalRandomWalk = BasicRandomWalk<FollowedAzimuth>;
 
 /// How the rays of one wavelength ended; the counts sum to `rays` exactly.
 struct WalkCounts {

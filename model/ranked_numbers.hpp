@@ -33,7 +33,7 @@ private:
 /// sequence spreads the numbers of rays of neighbouring rank, which are alike, evenly. [LECUYER08]
 class RankedNumbers {
 public:
-    /// Which numbers: at most 2^32 batches, 2^31 states.
+    /// Which numbers: at most 2^32 batches, 16 states.
     struct Draw {
         std::uint64_t seed;
         std::uint32_t batch;

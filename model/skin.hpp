@@ -28,7 +28,7 @@ enum class Edition {
     revised,  ///< decadic extinctions times ln 10, proper Rayleigh angles, Rayleigh test at downward runs
 };
 
-/// The biology and optics of one skin specimen. Defaults: [KA04, Table 1]. Ranges: `model/parameters.hpp`.
+/// The biology and optics of one skin specimen. Defaults: [KA04, Table 1]. Ranges: `parameter_table()`.
 struct Skin {
     double melanosome_fraction = 0.052;        ///< volume fraction of the epidermis
     double eumelanin_g_per_l = 80;             ///< in a melanosome

@@ -8,9 +8,40 @@
 
 namespace skinfit {
 
-double surface_weight(const Experiment& experiment) {
-    if (experiment.viewing_cone_rad) return 0.0;
-    return experiment.specular == Specular::included ? 1.0 : experiment.values.instrument.specular_fraction;
+namespace {
+
+/// The light that leaves the skin at one wavelength, as shares of the incident light, with standard errors.
+struct LeavingLight {
+    double reflected;  ///< or the reflectance factor of what has entered
+    double reflected_se;
+    double transmitted;
+    double transmitted_se;
+    double surface;
+};
+
+Reading reading_of(const Experiment& experiment, double wavelength_nm, const LeavingLight& light) {
+    const ReadingLaw reflectance = reading_law(experiment, Quantity::reflectance);
+    const ReadingLaw transmittance = reading_law(experiment, Quantity::transmittance);
+    return {.wavelength_nm = wavelength_nm,
+            .reflectance = reflectance.reading(reflectance.light(light.reflected, light.surface)),
+            .reflectance_se = reflectance.scale * light.reflected_se,
+            .transmittance = transmittance.reading(transmittance.light(light.transmitted, light.surface)),
+            .transmittance_se = transmittance.scale * light.transmitted_se,
+            .surface_reflectance = light.surface};
+}
+
+}  // namespace
+
+ReadingLaw reading_law(const Experiment& experiment, Quantity quantity) {
+    const Instrument& instrument = experiment.values.instrument;
+    const bool collects_surface = quantity == Quantity::reflectance && !experiment.viewing_cone_rad;
+    const bool collects_fraction = collects_surface && experiment.specular == Specular::excluded;
+    return {.scale = instrument.scale,
+            .offset = instrument.offset,
+            .surface_weight = collects_fraction  ? instrument.specular_fraction
+                              : collects_surface ? 1.0
+                                                 : 0.0,
+            .collects_fraction = collects_fraction};
 }
 
 std::vector<double> true_wavelengths_nm(const Experiment& experiment, const std::vector<double>& wavelengths_nm) {
@@ -33,8 +64,7 @@ std::vector<PerLayer<double>> optical_depths(const Skin& skin, const std::vector
 
 std::vector<Reading> read_by_walk(const Experiment& experiment, const std::vector<double>& wavelengths_nm,
                                   std::uint64_t rays, std::uint64_t seed) {
-    const Instrument& instrument = experiment.values.instrument;
-    const double collected = surface_weight(experiment);
+    const double collected = reading_law(experiment, Quantity::reflectance).surface_weight;
     const std::vector<double> true_nm = true_wavelengths_nm(experiment, wavelengths_nm);
     const WalkOptions options{.incidence_rad = experiment.incidence_rad, .rays = rays, .seed = seed};
     const std::vector<ViewedCounts> counts =
@@ -51,15 +81,13 @@ std::vector<Reading> read_by_walk(const Experiment& experiment, const std::vecto
         const double reflected_variance =
             seen * seen * viewed + collected * collected * surface - reflected * reflected;
         const double transmitted_variance = transmitted - transmitted * transmitted;
-        const auto standard_error = [&](double variance) {
-            return instrument.scale * std::sqrt(std::max(0.0, variance) / (n - 1.0));
-        };
-        readings.push_back({.wavelength_nm = wavelengths_nm[i],
-                            .reflectance = instrument.scale * reflected + instrument.offset,
-                            .reflectance_se = standard_error(reflected_variance),
-                            .transmittance = instrument.scale * transmitted + instrument.offset,
-                            .transmittance_se = standard_error(transmitted_variance),
-                            .surface_reflectance = surface});
+        const auto standard_error = [&](double variance) { return std::sqrt(std::max(0.0, variance) / (n - 1.0)); };
+        readings.push_back(reading_of(experiment, wavelengths_nm[i],
+                                      {.reflected = seen * viewed,
+                                       .reflected_se = standard_error(reflected_variance),
+                                       .transmitted = transmitted,
+                                       .transmitted_se = standard_error(transmitted_variance),
+                                       .surface = surface}));
     }
     return readings;
 }
@@ -72,27 +100,23 @@ AngularSolver angular_solver(const Experiment& experiment, const AngularResoluti
 }
 
 std::vector<Reading> read_by_solver(const Experiment& experiment, const std::vector<double>& wavelengths_nm) {
-    const Instrument& instrument = experiment.values.instrument;
     const std::vector<double> true_nm = true_wavelengths_nm(experiment, wavelengths_nm);
     const AngularSolver solver = angular_solver(experiment);
     std::vector<Reading> readings;
     for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
         const AngularResponse light = solver.shares(true_nm[i]);
-        const double reflected = light.viewed.share + surface_weight(experiment) * light.surface.share;
-        readings.push_back({.wavelength_nm = wavelengths_nm[i],
-                            .reflectance = instrument.scale * reflected + instrument.offset,
-                            .reflectance_se = 0.0,
-                            .transmittance = instrument.scale * light.transmitted.share + instrument.offset,
-                            .transmittance_se = 0.0,
-                            .surface_reflectance = light.surface.share});
+        readings.push_back(reading_of(experiment, wavelengths_nm[i],
+                                      {.reflected = light.viewed.share,
+                                       .reflected_se = 0.0,
+                                       .transmitted = light.transmitted.share,
+                                       .transmitted_se = 0.0,
+                                       .surface = light.surface.share}));
     }
     return readings;
 }
 
 std::vector<Reading> read_by_emulator(const Experiment& experiment, const std::vector<double>& wavelengths_nm,
                                       const Emulator& top, const std::optional<Emulator>& bottom) {
-    const Instrument& instrument = experiment.values.instrument;
-    const double surface = top.surface_share();
     const std::vector<PerLayer<double>> depths = optical_depths(
         experiment.values.skin, extinctions(true_wavelengths_nm(experiment, wavelengths_nm), experiment.edition));
     const std::vector<EmulatedShare> reflected = top.respond(depths);
@@ -100,13 +124,12 @@ std::vector<Reading> read_by_emulator(const Experiment& experiment, const std::v
         bottom ? bottom->respond(depths) : std::vector<EmulatedShare>(depths.size());
     std::vector<Reading> readings;
     for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
-        const double collected = reflected[i].share + surface_weight(experiment) * surface;
-        readings.push_back({.wavelength_nm = wavelengths_nm[i],
-                            .reflectance = instrument.scale * collected + instrument.offset,
-                            .reflectance_se = instrument.scale * top.certified_error(i),
-                            .transmittance = instrument.scale * transmitted[i].share + instrument.offset,
-                            .transmittance_se = bottom ? instrument.scale * bottom->certified_error(i) : 0.0,
-                            .surface_reflectance = surface});
+        readings.push_back(reading_of(experiment, wavelengths_nm[i],
+                                      {.reflected = reflected[i].share,
+                                       .reflected_se = top.certified_error(i),
+                                       .transmitted = transmitted[i].share,
+                                       .transmitted_se = bottom ? bottom->certified_error(i) : 0.0,
+                                       .surface = top.surface_share()}));
     }
     return readings;
 }
@@ -114,21 +137,18 @@ std::vector<Reading> read_by_emulator(const Experiment& experiment, const std::v
 std::vector<Reading> read_by_paths(const Experiment& experiment, const std::vector<double>& wavelengths_nm,
                                    const PathEnsemble& ensemble) {
     assert(!experiment.viewing_cone_rad);
-    const Instrument& instrument = experiment.values.instrument;
-    const double surface = ensemble.surface_share();
     const std::vector<EnsembleResponse> responses = ensemble.respond(optical_depths(
         experiment.values.skin, extinctions(true_wavelengths_nm(experiment, wavelengths_nm), experiment.edition)));
     std::vector<Reading> readings;
     for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
         const Escape& top = responses[i][Side::top];
         const Escape& bottom = responses[i][Side::bottom];
-        const double reflected = top.share + surface_weight(experiment) * surface;
-        readings.push_back({.wavelength_nm = wavelengths_nm[i],
-                            .reflectance = instrument.scale * reflected + instrument.offset,
-                            .reflectance_se = instrument.scale * top.standard_error,
-                            .transmittance = instrument.scale * bottom.share + instrument.offset,
-                            .transmittance_se = instrument.scale * bottom.standard_error,
-                            .surface_reflectance = surface});
+        readings.push_back(reading_of(experiment, wavelengths_nm[i],
+                                      {.reflected = top.share,
+                                       .reflected_se = top.standard_error,
+                                       .transmitted = bottom.share,
+                                       .transmitted_se = bottom.standard_error,
+                                       .surface = ensemble.surface_share()}));
     }
     return readings;
 }

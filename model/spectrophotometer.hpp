@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -33,8 +34,27 @@ struct Experiment {
     }
 };
 
-/// The share of the surface reflectance that reaches the detector; with a viewing cone none.
-[[nodiscard]] double surface_weight(const Experiment& experiment);
+/// What the instrument makes of the light of one wavelength, as shares of the incident light.
+struct ReadingLaw {
+    double scale;
+    double offset;
+    double surface_weight;   ///< of the surface reflectance in the light
+    bool collects_fraction;  ///< whether `specular_fraction` is that weight
+
+    /// The light that is collected, where `share` has left the skin and the surface reflects `surface`.
+    [[nodiscard]] double light(double share, double surface) const { return share + surface_weight * surface; }
+    [[nodiscard]] double reading(double light) const { return scale * light + offset; }
+    /// The derivative of the reading by a parameter that belongs to the instrument, all but the wavelength shift.
+    [[nodiscard]] double derivative(Parameter parameter, double light, double surface) const {
+        if (parameter == Parameter::scale) return light;
+        if (parameter == Parameter::offset) return 1.0;
+        assert(parameter == Parameter::specular_fraction);
+        return (collects_fraction ? scale : 0.0) * surface;
+    }
+};
+
+/// The law of the experiment's instrument. With a viewing cone the surface has no part in the light.
+[[nodiscard]] ReadingLaw reading_law(const Experiment& experiment, Quantity quantity);
 
 /// The wavelengths at which the model is evaluated for an instrument that states `wavelengths_nm`.
 [[nodiscard]] std::vector<double> true_wavelengths_nm(const Experiment& experiment,

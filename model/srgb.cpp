@@ -9,13 +9,13 @@
 namespace skinfit {
 namespace {
 
-struct Vector {
+struct Triple {
     double x, y, z;
 };
 
 /// A 3 by 3 matrix by its columns.
 struct Matrix {
-    Vector first, second, third;
+    Triple first, second, third;
 };
 
 /// XYZ, white at Y = 1, of the red, green and blue primary. [IEC61966]
@@ -24,23 +24,23 @@ constexpr Matrix srgb_primaries = {{0.4124, 0.2126, 0.0193}, {0.3576, 0.7152, 0.
 /// Cone responses to X, Y and Z. [ICC03]
 constexpr Matrix bradford = {{0.8951, -0.7502, 0.0389}, {0.2664, 1.7135, -0.0685}, {-0.1614, 0.0367, 1.0296}};
 
-Vector product(const Matrix& m, const Vector& v) {
+Triple product(const Matrix& m, const Triple& v) {
     return {m.first.x * v.x + m.second.x * v.y + m.third.x * v.z, m.first.y * v.x + m.second.y * v.y + m.third.y * v.z,
             m.first.z * v.x + m.second.z * v.y + m.third.z * v.z};
 }
 
-double determinant(const Vector& a, const Vector& b, const Vector& c) {
+double determinant(const Triple& a, const Triple& b, const Triple& c) {
     return a.x * (b.y * c.z - b.z * c.y) - a.y * (b.x * c.z - b.z * c.x) + a.z * (b.x * c.y - b.y * c.x);
 }
 
 /// The vector whose product with `m` is `v`, by Cramer's rule.
-Vector solution(const Matrix& m, const Vector& v) {
+Triple solution(const Matrix& m, const Triple& v) {
     const double all = determinant(m.first, m.second, m.third);
     return {determinant(v, m.second, m.third) / all, determinant(m.first, v, m.third) / all,
             determinant(m.first, m.second, v) / all};
 }
 
-Vector cone_responses(const Xyz& xyz) {
+Triple cone_responses(const Xyz& xyz) {
     return product(bradford, {xyz.x, xyz.y, xyz.z});
 }
 
@@ -55,22 +55,22 @@ double code(double encoded) {
 }  // namespace
 
 Xyz srgb_white() {
-    const Vector white = product(srgb_primaries, {100.0, 100.0, 100.0});
+    const Triple white = product(srgb_primaries, {100.0, 100.0, 100.0});
     return {white.x, white.y, white.z};
 }
 
 Xyz bradford_adapted(const Xyz& xyz, const Xyz& from, const Xyz& to) {
-    const Vector seen = cone_responses(xyz);
-    const Vector before = cone_responses(from);
-    const Vector after = cone_responses(to);
-    const Vector adapted = solution(
+    const Triple seen = cone_responses(xyz);
+    const Triple before = cone_responses(from);
+    const Triple after = cone_responses(to);
+    const Triple adapted = solution(
         bradford, {seen.x * (after.x / before.x), seen.y * (after.y / before.y), seen.z * (after.z / before.z)});
     return {adapted.x, adapted.y, adapted.z};
 }
 
 Rgb linear_srgb(const Xyz& xyz, const Xyz& white) {
     const Xyz adapted = bradford_adapted(xyz, white, srgb_white());
-    const Vector rgb = solution(srgb_primaries, {adapted.x / 100.0, adapted.y / 100.0, adapted.z / 100.0});
+    const Triple rgb = solution(srgb_primaries, {adapted.x / 100.0, adapted.y / 100.0, adapted.z / 100.0});
     return {rgb.x, rgb.y, rgb.z};
 }
 

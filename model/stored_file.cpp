@@ -15,11 +15,11 @@
 
 #include "core/file.hpp"
 
-// Layout: Header, key, data, checksum of all before it.
+// Layout: FileHeader, key, data, checksum of all before it.
 namespace skinfit {
 namespace {
 
-struct Header {
+struct FileHeader {
     std::array<char, format_name_length> format;
     std::uint64_t key_bytes;
 };
@@ -67,9 +67,9 @@ void write_stored_file(const std::filesystem::path& path, std::string_view forma
                        std::span<const std::string_view> parts, const std::stop_token& stop) {
     assert(format.size() == format_name_length);
     const std::string key_field = padded(key);
-    Header header{.format = {}, .key_bytes = key_field.size()};
+    FileHeader header{.format = {}, .key_bytes = key_field.size()};
     std::memcpy(header.format.data(), format.data(), format_name_length);
-    std::vector<std::string_view> all = {bytes_of(std::span<const Header>(&header, 1)), key_field};
+    std::vector<std::string_view> all = {bytes_of(std::span<const FileHeader>(&header, 1)), key_field};
     all.insert(all.end(), parts.begin(), parts.end());
     const std::uint64_t sum = checksum(all);
     all.push_back(bytes_of(std::span<const std::uint64_t>(&sum, 1)));
@@ -81,7 +81,7 @@ std::variant<StoredData, Unusable> read_stored_file(const std::filesystem::path&
     const std::optional<MappedFile> file = map_file(path);
     if (!file) return Unusable{"empty or unreadable"};
     const std::string_view bytes(file->data.get(), file->size);
-    Header header{};
+    FileHeader header{};
     if (bytes.size() < sizeof header + sizeof(std::uint64_t)) return Unusable{"truncated"};
     std::memcpy(&header, bytes.data(), sizeof header);
     if (std::string_view(header.format.data(), format_name_length) != format) {

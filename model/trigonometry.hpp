@@ -64,7 +64,7 @@ inline constexpr int decay_terms = 14;
     const double halvings = shifted - detail::rounder;
     const double rest = (limited - halvings * detail::ln2_high) - halvings * detail::ln2_low;
     const auto integer = std::bit_cast<std::uint64_t>(shifted) - std::bit_cast<std::uint64_t>(detail::rounder);
-    const double power = std::bit_cast<double>((1023 - integer) << 52U);
+    const auto power = std::bit_cast<double>((1023 - integer) << 52U);
     return detail::series(detail::decay_coefficients<detail::decay_terms>, rest) * power;
 }
 

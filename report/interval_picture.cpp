@@ -45,7 +45,10 @@ Axis axis_of(const FittedParameter& fitted, const std::optional<Bounds>& healthy
 /// Where a logarithmic axis is labelled: at 1, 2 and 5 times the powers of ten that it holds.
 std::string logarithmic_tics(const Bounds& range) {
     std::string tics;
-    for (double decade = std::pow(10.0, std::floor(std::log10(range.lower))); decade <= range.upper; decade *= 10.0) {
+    const auto first = static_cast<int>(std::floor(std::log10(range.lower)));
+    const auto last = static_cast<int>(std::floor(std::log10(range.upper)));
+    for (int power = first; power <= last; ++power) {
+        const double decade = std::pow(10.0, power);
         for (const double at : {decade, 2.0 * decade, 5.0 * decade}) {
             if (at >= range.lower && at <= range.upper) tics += fmt::format("{}{:.6g}", tics.empty() ? "" : ", ", at);
         }

@@ -40,8 +40,10 @@ std::vector<Marginals> marginals_of(const FitResult& result) {
 std::string cell_script(const Marginals& each, std::size_t number, std::size_t columns, std::size_t rows) {
     const double width = static_cast<double>(columns) * cell_width;
     const double height = static_cast<double>(rows) * cell_height;
-    const double left = static_cast<double>(number % columns) * cell_width;
-    const double top = static_cast<double>(number / columns) * cell_height;
+    const std::size_t column = number % columns;
+    const std::size_t row = number / columns;
+    const double left = static_cast<double>(column) * cell_width;
+    const double top = static_cast<double>(row) * cell_height;
     const Histogram& bars = each.histogram;
     const double highest = *std::ranges::max_element(bars.share);
     const auto line = [&](double at, const char* look) {

@@ -107,8 +107,10 @@ PictureSize size_for(std::size_t cells) {
 
 std::string cell_script(const FittedParameter& fitted, const ProfileCurve& curve, std::size_t number,
                         const PictureSize& size) {
-    const double left = static_cast<double>(number % columns) * cell_width;
-    const double top = legend_height + static_cast<double>(number / columns) * cell_height;
+    const std::size_t column = number % columns;
+    const std::size_t row = number / columns;
+    const double left = static_cast<double>(column) * cell_width;
+    const double top = legend_height + static_cast<double>(row) * cell_height;
     const Bounds range = range_of(fitted);
     std::string script = fmt::format(
         "set lmargin at screen {}\nset rmargin at screen {}\nset tmargin at screen {}\nset bmargin at screen {}\n"

@@ -11,11 +11,11 @@ namespace skinfit {
 namespace {
 
 /// Both ends of an axis.
-struct Range {
+struct PlotRange {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
 
-    [[nodiscard]] Range with(double value) const { return {std::min(low, value), std::max(high, value)}; }
+    [[nodiscard]] PlotRange with(double value) const { return {std::min(low, value), std::max(high, value)}; }
     [[nodiscard]] std::string script(char axis) const {
         const double margin = high > low ? 0.05 * (high - low) : 1.0;
         return fmt::format("set {}range [{}:{}]\n", axis, low - margin, high + margin);
@@ -45,8 +45,9 @@ std::string level_plot(const IntervalEstimate& level, std::size_t colour, const 
 StudyFigure bland_altman_figure(const std::vector<ReferencePair>& pairs, const MethodAgreement& agreement,
                                 const ComparedQuantity& quantity) {
     std::vector<std::vector<double>> rows;
-    Range x;
-    Range y = Range().with(agreement.lower_limit.interval_95.lower).with(agreement.upper_limit.interval_95.upper);
+    PlotRange x;
+    PlotRange y =
+        PlotRange().with(agreement.lower_limit.interval_95.lower).with(agreement.upper_limit.interval_95.upper);
     for (const ReferencePair& pair : pairs) {
         if (!is_complete(pair)) continue;
         rows.push_back({0.5 * (pair.estimate + pair.reference), pair.estimate - pair.reference});
@@ -70,7 +71,7 @@ StudyFigure bland_altman_figure(const std::vector<ReferencePair>& pairs, const M
 StudyFigure reference_figure(const std::vector<ReferencePair>& pairs, const MethodAgreement& agreement,
                              const ComparedQuantity& quantity) {
     std::vector<std::vector<double>> rows;
-    Range range;
+    PlotRange range;
     for (const ReferencePair& pair : pairs) {
         if (!is_complete(pair)) continue;
         rows.push_back({pair.reference, pair.estimate, pair.sigma.value_or(0.0)});

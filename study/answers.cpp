@@ -19,7 +19,7 @@ const IndexValue* index_of(const LedgerRow& row, const std::string& name) {
     return found == row.studied.indices.end() ? nullptr : &*found;
 }
 
-std::optional<Marginal> marginal_in(const LedgerRow& row, const std::string& quantity) {
+std::optional<MarginalDistribution> marginal_in(const LedgerRow& row, const std::string& quantity) {
     if (!has_answer(row.studied.status)) return std::nullopt;
     if (const ParameterEstimate* const parameter = parameter_of(row, quantity)) return marginal_of(*parameter);
     if (const IndexValue* const index = index_of(row, quantity)) return marginal_of(*index);
@@ -31,7 +31,7 @@ bool matches(const Metadata& metadata, const Metadata& wanted) {
 }
 
 /// What is believed of the reference of each specimen.
-using References = std::map<std::string, std::vector<Marginal>>;
+using References = std::map<std::string, std::vector<MarginalDistribution>>;
 
 References references_of(const Indicator& indicator, const std::vector<LedgerRow>& rows) {
     References references;
@@ -39,7 +39,7 @@ References references_of(const Indicator& indicator, const std::vector<LedgerRow
     for (const LedgerRow& row : rows) {
         const std::string specimen = word_of(row.metadata, indicator.reference->same);
         if (specimen.empty() || !matches(row.metadata, indicator.reference->where)) continue;
-        const std::optional<Marginal> marginal = marginal_in(row, indicator.quantity);
+        const std::optional<MarginalDistribution> marginal = marginal_in(row, indicator.quantity);
         if (marginal) references[specimen].push_back(*marginal);
     }
     return references;
@@ -49,7 +49,7 @@ IndicatorAnswer answer(const Indicator& indicator, const LedgerRow& row, const R
     if (!has_answer(row.studied.status)) {
         return {.probability = {}, .why_none = std::string(name_of(row.studied.status))};
     }
-    const std::optional<Marginal> marginal = marginal_in(row, indicator.quantity);
+    const std::optional<MarginalDistribution> marginal = marginal_in(row, indicator.quantity);
     if (!marginal) {
         const bool known = parameter_of(row, indicator.quantity) != nullptr;
         return {.probability = {}, .why_none = indicator.quantity + (known ? " is not identifiable" : " is not known")};
@@ -61,7 +61,7 @@ IndicatorAnswer answer(const Indicator& indicator, const LedgerRow& row, const R
         const auto found = references.find(word_of(row.metadata, indicator.reference->same));
         if (found == references.end()) return {.probability = {}, .why_none = "no reference of the same specimen"};
         if (matches(row.metadata, indicator.reference->where)) return {.probability = {}, .why_none = "a reference"};
-        for (const Marginal& reference : found->second) above += marginal->probability_above(reference);
+        for (const MarginalDistribution& reference : found->second) above += marginal->probability_above(reference);
         above /= static_cast<double>(found->second.size());
     }
     return {.probability = indicator.above ? above : 1.0 - above, .why_none = {}};

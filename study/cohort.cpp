@@ -34,7 +34,7 @@ void refuse_misplaced(const std::string& key, const std::string& where) {
     if (is_among(of_population)) refuse_here("populations say what is drawn", "write it under \"population\"");
     const bool is_setting = std::ranges::find(setting_table(), key, &Setting::name) != setting_table().end();
     if (is_setting && !is_among(model_settings())) {
-        refuse_here("a simulation has no use for it", "write it under \"study\", as in {\"fit\": {...}}");
+        refuse_here("a simulation has no use for it", R"(write it under "study", as in {"fit": {...}})");
     }
 }
 
@@ -86,14 +86,14 @@ void check_draws(const CohortGroup& group, const std::string& where) {
 
 /// The cells of the manifest that a group states; names that no group before had are added to `cohort`.
 void take_metadata(Cohort& cohort, CohortGroup& group, const Json& metadata, const std::string& where) {
-    require_object(metadata, where, "write it as in {\"skin_type\": \"II\"}");
+    require_object(metadata, where, R"(write it as in {"skin_type": "II"})");
     for (const auto& [name, value] : metadata.items()) {
         check_column_name(name, where);
         const auto found = std::ranges::find(cohort.metadata_names, name);
         const auto place = static_cast<std::size_t>(found - cohort.metadata_names.begin());
         if (found == cohort.metadata_names.end()) cohort.metadata_names.push_back(name);
         if (group.metadata.size() <= place) group.metadata.resize(place + 1);
-        group.metadata[place] = value.is_number() ? value.dump() : read_cell(value, where + "." + name);
+        group.metadata[place] = value.is_number() ? value.dump() : read_cell(value, fmt::format("{}.{}", where, name));
     }
 }
 
@@ -193,7 +193,7 @@ Cohort read_cohort(const Json& json, const std::string& where) {
     const Json sources = entry(json, "sources", Json::object());
     for (const auto& [key, source] : sources.items()) {
         if (!source.is_string())
-            refuse(where + ": sources." + key, source, "text is needed", "say where it comes from");
+            refuse(fmt::format("{}: sources.{}", where, key), source, "text is needed", "say where it comes from");
     }
     const Json population = entry(json, "population", Json::object());
     (void)with_population(cohort.configuration, population, where + ": population");
@@ -204,7 +204,7 @@ Cohort read_cohort(const Json& json, const std::string& where) {
     for (CohortGroup& group : cohort.groups) group.metadata.resize(cohort.metadata_names.size());
     const Json labels = entry(json, "labels", Json::object());
     for (const auto& [name, label] : labels.items()) {
-        cohort.labels.push_back(read_label(cohort, name, label, where + ": labels." + name));
+        cohort.labels.push_back(read_label(cohort, name, label, fmt::format("{}: labels.{}", where, name)));
     }
     check_columns(cohort, where);
     check_study(cohort, where + ": study");

@@ -18,7 +18,7 @@ std::string read_cell(const Json& value, const std::string& where) {
     constexpr std::size_t longest = 100;
     const std::string remedy = "give a short name of letters, digits, blanks, _ and -";
     if (!value.is_string()) refuse(where, value, "text is needed", remedy);
-    const std::string text = value.get<std::string>();
+    auto text = value.get<std::string>();
     const bool has_control = std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20; });
     const bool is_plain = !has_control && text.find_first_of(",;\"#") == std::string::npos;
     const bool is_trimmed = !text.empty() && text.front() != ' ' && text.back() != ' ';

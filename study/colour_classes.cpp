@@ -10,7 +10,7 @@ std::optional<ColourClassProbabilities> colour_classes_of(const StudiedSpectrum&
     const auto angle =
         std::ranges::find(spectrum.indices, std::string_view("individual_typology_angle_deg"), &IndexValue::name);
     if (angle == spectrum.indices.end()) return std::nullopt;
-    const Marginal marginal = marginal_of(*angle);
+    const MarginalDistribution marginal = marginal_of(*angle);
     ColourClassProbabilities probabilities{};
     double above = 0.0;  // the probability of the classes so far
     for (std::size_t i = 0; i < skin_colour_begins_deg.size(); ++i) {

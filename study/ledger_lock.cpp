@@ -30,7 +30,7 @@ std::string this_process() {
 
 }  // namespace
 
-LedgerLock::LedgerLock(const std::filesystem::path& ledger) : descriptor_(-1) {
+LedgerLock::LedgerLock(const std::filesystem::path& ledger) {
     const std::string file = ledger.string() + ".lock";
     descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     if (descriptor_ < 0) {

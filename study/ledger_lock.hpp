@@ -18,7 +18,7 @@ public:
     ~LedgerLock();
 
 private:
-    int descriptor_;
+    int descriptor_ = -1;
 };
 
 }  // namespace skinfit

@@ -19,7 +19,7 @@ using Words = std::vector<std::string>;
     throw InputError({.where = where,
                       .problem = problem,
                       .why = why,
-                      .remedy = "a manifest has a header with a column \"file\", perhaps \"spectrum\", and metadata"});
+                      .remedy = R"(a manifest has a header with a column "file", perhaps "spectrum", and metadata)"});
 }
 
 char separator_of(std::string_view header) {

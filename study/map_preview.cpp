@@ -44,12 +44,12 @@ constexpr std::array<std::string_view, pixel_reason_names.size()> reason_colours
     "#dfc27d", "#c51b7d", "#f1b6da", "#000000", "#e69f00", "#f0e442", "#56b4e9", "#009e73"};
 
 /// Where colours begin and end.
-struct Range {
+struct ColourRange {
     double low;
     double high;
 };
 
-Range colour_range(const ReducedPlane& plane) {
+ColourRange colour_range(const ReducedPlane& plane) {
     constexpr double left_out = 0.02;
     std::vector<float> values;
     std::ranges::copy_if(plane.value, std::back_inserter(values), [](float value) { return std::isfinite(value); });
@@ -84,7 +84,7 @@ Layout layout_of(const ReducedMap& map) {
 std::string frame_script(const ReducedMap& map, const Layout& layout, int column, std::string_view title) {
     constexpr int gap = 12;
     constexpr int bar_width = 22;
-    const double left = left_margin + column * layout.picture.width / 2;
+    const double left = left_margin + 0.5 * column * layout.picture.width;
     const double width = layout.picture.width;
     const double height = layout.picture.height;
     const double bar_height = std::max(layout.height, least_height);
@@ -136,7 +136,7 @@ std::string_view unit_of(std::string_view plane) {
 }
 
 std::string scaled_panel(const ReducedMap& map, const Layout& layout, int column, const ReducedPlane& plane) {
-    const Range range = colour_range(plane);
+    const ColourRange range = colour_range(plane);
     return frame_script(map, layout, column, plane.name) + std::string(viridis) +
            fmt::format("set cbtics autofreq format '%g'\nset cblabel {}\nset cbrange [{}:{}]\n",
                        gnuplot_string(unit_of(plane.name)), range.low, range.high) +

@@ -37,11 +37,11 @@ std::vector<double> split_normal(double centre, double below, double above, cons
 
 }  // namespace
 
-Marginal::Marginal(std::vector<double> quantiles) : quantiles_(std::move(quantiles)) {
+MarginalDistribution::MarginalDistribution(std::vector<double> quantiles) : quantiles_(std::move(quantiles)) {
     assert(quantiles_.size() >= 2 && std::ranges::is_sorted(quantiles_));
 }
 
-double Marginal::probability_above(double threshold) const {
+double MarginalDistribution::probability_above(double threshold) const {
     if (threshold < quantiles_.front()) return 1.0;
     if (threshold >= quantiles_.back()) return 0.0;
     const auto above = std::ranges::upper_bound(quantiles_, threshold);
@@ -51,7 +51,7 @@ double Marginal::probability_above(double threshold) const {
     return 1.0 - (place + share) / static_cast<double>(quantiles_.size() - 1);
 }
 
-double Marginal::probability_above(const Marginal& other) const {
+double MarginalDistribution::probability_above(const MarginalDistribution& other) const {
     // The mean, over slices of equal probability of the other, of the probability above their middle.
     double sum = 0.0;
     const std::vector<double>& theirs = other.quantiles_;
@@ -59,8 +59,8 @@ double Marginal::probability_above(const Marginal& other) const {
     return sum / static_cast<double>(theirs.size() - 1);
 }
 
-std::optional<Marginal> marginal_of(const ParameterEstimate& estimate) {
-    if (!estimate.quantiles.empty()) return Marginal(estimate.quantiles);
+std::optional<MarginalDistribution> marginal_of(const ParameterEstimate& estimate) {
+    if (!estimate.quantiles.empty()) return MarginalDistribution(estimate.quantiles);
     const boost::math::normal standard;
     const double two_sided_95 = quantile(standard, 0.975);
     const double one_sided_95 = quantile(standard, 0.95);  // its square is by how much the cost has risen there
@@ -71,10 +71,12 @@ std::optional<Marginal> marginal_of(const ParameterEstimate& estimate) {
             return std::nullopt;
         case Status::at_lower_bound:
             if (interval.upper >= estimate.bounds.upper) return std::nullopt;  // any value may be
-            return Marginal(split_normal(value, 0.0, (interval.upper - value) / one_sided_95, estimate.bounds));
+            return MarginalDistribution(
+                split_normal(value, 0.0, (interval.upper - value) / one_sided_95, estimate.bounds));
         case Status::at_upper_bound:
             if (interval.lower <= estimate.bounds.lower) return std::nullopt;
-            return Marginal(split_normal(value, (value - interval.lower) / one_sided_95, 0.0, estimate.bounds));
+            return MarginalDistribution(
+                split_normal(value, (value - interval.lower) / one_sided_95, 0.0, estimate.bounds));
         default:
             break;
     }
@@ -86,10 +88,10 @@ std::optional<Marginal> marginal_of(const ParameterEstimate& estimate) {
     if (!below) below = above;
     if (!above) above = below;
     if (!below) return std::nullopt;  // the interval is the whole range
-    return Marginal(split_normal(value, *below, *above, estimate.bounds));
+    return MarginalDistribution(split_normal(value, *below, *above, estimate.bounds));
 }
 
-Marginal marginal_of(const IndexValue& index) {
+MarginalDistribution marginal_of(const IndexValue& index) {
     const boost::math::normal distribution(index.value, index.sigma);
     constexpr double far = 6.0;  // sigmas
     std::vector<double> quantiles = {index.value - far * index.sigma};
@@ -97,7 +99,7 @@ Marginal marginal_of(const IndexValue& index) {
         quantiles.push_back(quantile(distribution, static_cast<double>(k) / static_cast<double>(parts)));
     }
     quantiles.push_back(index.value + far * index.sigma);
-    return Marginal(std::move(quantiles));
+    return MarginalDistribution(std::move(quantiles));
 }
 
 }  // namespace skinfit

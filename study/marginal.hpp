@@ -9,16 +9,16 @@ namespace skinfit {
 
 /// What is believed of one quantity of one spectrum after the fit: its marginal distribution, by quantiles at evenly
 /// spaced probabilities from 0 to 1, linear between them.
-class Marginal {
+class MarginalDistribution {
 public:
     /// `quantiles`: at least two, ascending.
-    explicit Marginal(std::vector<double> quantiles);
+    explicit MarginalDistribution(std::vector<double> quantiles);
 
     /// The probability of values above `threshold`.
     [[nodiscard]] double probability_above(double threshold) const;
 
     /// The probability that a value of this exceeds one of `other`, the two being independent.
-    [[nodiscard]] double probability_above(const Marginal& other) const;
+    [[nodiscard]] double probability_above(const MarginalDistribution& other) const;
 
 private:
     std::vector<double> quantiles_;
@@ -30,9 +30,9 @@ private:
 /// one half, whose limit lies 1.645 standard deviations away, where the cost has risen by 2.71
 /// (`estimate_uncertainty`). None for one that is not identifiable or whose interval is the whole range: the spectrum
 /// does not tell.
-[[nodiscard]] std::optional<Marginal> marginal_of(const ParameterEstimate& estimate);
+[[nodiscard]] std::optional<MarginalDistribution> marginal_of(const ParameterEstimate& estimate);
 
 /// A normal distribution.
-[[nodiscard]] Marginal marginal_of(const IndexValue& index);
+[[nodiscard]] MarginalDistribution marginal_of(const IndexValue& index);
 
 }  // namespace skinfit

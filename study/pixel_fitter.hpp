@@ -75,6 +75,7 @@ public:
     PixelFitter(const Configuration& configuration, const Spectrum& common, const DiskCache& cache);
     PixelFitter(const PixelFitter&) = delete;
     PixelFitter& operator=(const PixelFitter&) = delete;
+    ~PixelFitter() = default;
 
     /// The fit of `values`, fractions at all wavelengths of the cube, NaN where there is none. Calls may come from any
     /// thread.

@@ -78,7 +78,8 @@ void check_study(const Cohort& cohort, const std::string& where) {
         if (key == "fit") {
             (void)configured(planned_fit(cohort), value, where + ".fit");
         } else if (!value.is_array()) {
-            refuse(where + "." + key, value, "a list is needed", "write it as in a study file; see docs/studies.md");
+            refuse(fmt::format("{}.{}", where, key), value, "a list is needed",
+                   "write it as in a study file; see docs/studies.md");
         }
     }
     if (cohort.study.contains("indicators") && !cohort.study.contains("assess")) {

@@ -10,7 +10,7 @@ namespace skinfit {
 namespace {
 
 const std::string example =
-    "write it as in {\"melanosome_fraction\": {\"kind\": \"log_normal\", \"median\": 0.05, \"sigma_log\": 0.5}}";
+    R"(write it as in {"melanosome_fraction": {"kind": "log_normal", "median": 0.05, "sigma_log": 0.5}})";
 
 std::vector<std::string_view> known_names() {
     std::vector<std::string_view> names;

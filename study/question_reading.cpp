@@ -29,7 +29,7 @@ const Json& list(const Json& json, const std::string& where) {
 /// The parameter or the index that an entry is about.
 std::string read_quantity(const Json& json, const std::string& where) {
     if (json.contains("parameter") == json.contains("index")) {
-        refuse(where, json, "either \"parameter\" or \"index\" is needed", "give one of the two");
+        refuse(where, json, R"(either "parameter" or "index" is needed)", "give one of the two");
     }
     std::vector<std::string_view> known;
     const std::string key = json.contains("parameter") ? "parameter" : "index";
@@ -38,7 +38,7 @@ std::string read_quantity(const Json& json, const std::string& where) {
     } else {
         for (const IndexInfo& info : index_table()) known.push_back(info.name);
     }
-    const std::string name = word(json, key, where);
+    std::string name = word(json, key, where);
     if (std::ranges::find(known, name) == known.end()) refuse_unknown(where + "." + key, name, known);
     return name;
 }
@@ -66,7 +66,7 @@ Indicator read_indicator(const Json& json, const std::string& where) {
     require_names(json, {"name", "parameter", "index", "above", "below", "source"},
                   {{"name", "source"}, "a reader must see what is asked, and why there", example}, where);
     if (json.contains("above") == json.contains("below")) {
-        refuse(where, json, "either \"above\" or \"below\" is needed", "give one of the two");
+        refuse(where, json, R"(either "above" or "below" is needed)", "give one of the two");
     }
     Indicator indicator{.name = word(json, "name", where),
                         .quantity = read_quantity(json, where),

@@ -27,7 +27,7 @@ double mean_of(const std::vector<RepeatedEstimate>& group) {
 }
 
 /// Sums of squares within and between groups, with their degrees of freedom.
-struct Table {
+struct RepeatTable {
     double within_squares = 0.0;
     double between_squares = 0.0;
     double within_freedom = 0.0;
@@ -38,7 +38,7 @@ struct Table {
     [[nodiscard]] double between() const { return between_squares / between_freedom; }
 };
 
-Table table_of(const Groups& groups) {
+RepeatTable table_of(const Groups& groups) {
     double count = 0.0;
     double sum = 0.0;
     double square_sizes = 0.0;
@@ -48,7 +48,7 @@ Table table_of(const Groups& groups) {
         sum += size * mean_of(group);
         square_sizes += size * size;
     }
-    Table table;
+    RepeatTable table;
     for (const auto& [specimen, group] : groups) {
         const double mean = mean_of(group);
         for (const RepeatedEstimate& repeat : group) table.within_squares += std::pow(repeat.estimate - mean, 2);
@@ -61,7 +61,7 @@ Table table_of(const Groups& groups) {
 }
 
 /// [SHROUT79]
-std::optional<IntervalEstimate> intraclass_correlation(const Table& table) {
+std::optional<IntervalEstimate> intraclass_correlation(const RepeatTable& table) {
     if (!(table.between_freedom > 0.0) || !(table.within_squares > 0.0)) return std::nullopt;
     constexpr double tail = 0.025;
     const double k = table.repeats_per_specimen;
@@ -74,7 +74,7 @@ std::optional<IntervalEstimate> intraclass_correlation(const Table& table) {
                         .upper = correlation(ratio / boost::math::quantile(law, tail))}};
 }
 
-std::optional<ClaimedScatter> claimed_of(const Groups& groups, const Table& table) {
+std::optional<ClaimedScatter> claimed_of(const Groups& groups, const RepeatTable& table) {
     double expected_squares = 0.0;
     double chi_square = 0.0;
     for (const auto& [specimen, group] : groups) {
@@ -113,7 +113,7 @@ std::optional<RepeatabilityAnalysis> repeatability(const std::vector<RepeatedEst
     const auto repeated = static_cast<std::size_t>(
         std::ranges::count_if(groups, [](const auto& named) { return named.second.size() > 1; }));
     if (repeated == 0) return std::nullopt;
-    const Table table = table_of(groups);
+    const RepeatTable table = table_of(groups);
     const double sd = std::sqrt(table.within());
     const Bounds factors = standard_deviation_factors_95(table.within_freedom);
     RepeatabilityAnalysis found{

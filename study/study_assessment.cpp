@@ -151,7 +151,7 @@ std::vector<ReferencePair> pairs_of(const Assessment& assessment, const std::vec
         const std::optional<double> reference = parse_number(word);
         if (!reference || !std::isfinite(*reference)) {
             throw InputError({.where = fmt::format("{} {}", each.row.key.source, each.row.key.name),
-                              .problem = fmt::format("\"{}\" is \"{}\"", assessment.metadata, word),
+                              .problem = fmt::format(R"("{}" is "{}")", assessment.metadata, word),
                               .why = fmt::format("it is the reference value of {}, a number", assessment.name),
                               .remedy = "correct it in the manifest, or leave the cell empty"});
         }

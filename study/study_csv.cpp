@@ -12,7 +12,7 @@ namespace skinfit {
 namespace {
 
 /// The columns that some row has, each once, in the order of their first row.
-struct Columns {
+struct StudyColumns {
     std::vector<std::string> metadata;
     std::vector<std::string> parameters;
     std::vector<std::string> indices;
@@ -24,8 +24,8 @@ void add_new(List& list, const Item& item) {
     if (std::ranges::find(list, item) == list.end()) list.push_back(item);
 }
 
-Columns columns_of(const std::vector<AnsweredRow>& rows) {
-    Columns columns;
+StudyColumns columns_of(const std::vector<AnsweredRow>& rows) {
+    StudyColumns columns;
     for (const AnsweredRow& each : rows) {
         for (const auto& [name, word] : each.row.metadata) add_new(columns.metadata, name);
         const std::vector<ParameterEstimate>& parameters = each.row.studied.parameters;
@@ -70,7 +70,7 @@ std::string metadata_column(const std::string& name, const std::vector<std::stri
     return std::ranges::find(others, name) == others.end() ? name : "metadata_" + name;
 }
 
-std::string header_line(const Study& study, const Columns& columns) {
+std::string header_line(const Study& study, const StudyColumns& columns) {
     const std::vector<std::string> first = {"source", "number", "spectrum", "status", "verdict", "reason"};
     std::vector<std::string> last;
     for (const std::string& name : columns.parameters) {
@@ -124,7 +124,7 @@ void add_colour(const StudiedSpectrum& studied, Line& line) {
     line.add(number(*most));
 }
 
-std::string row_line(const AnsweredRow& each, const Columns& columns) {
+std::string row_line(const AnsweredRow& each, const StudyColumns& columns) {
     const LedgerRow& row = each.row;
     const StudiedSpectrum& studied = row.studied;
     Line line;
@@ -168,7 +168,7 @@ std::string csv_cell(const std::string& text) {
 }
 
 std::string study_csv(const Study& study, const std::vector<AnsweredRow>& rows) {
-    const Columns columns = columns_of(rows);
+    const StudyColumns columns = columns_of(rows);
     std::string text = header_line(study, columns);
     for (const AnsweredRow& each : rows) text += row_line(each, columns);
     return text;

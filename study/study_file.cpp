@@ -27,7 +27,7 @@ std::vector<std::string> read_words(const Json& json, std::string_view key, cons
     const Json& value = json.at(key);
     const std::string here = fmt::format("{}.{}", where, key);
     const Json list = value.is_string() ? Json::array({value}) : value;
-    if (!list.is_array()) refuse(here, value, "a list of words is needed", "write [\"...\", \"...\"]");
+    if (!list.is_array()) refuse(here, value, "a list of words is needed", R"(write ["...", "..."])");
     for (const Json& each : list) {
         if (!each.is_string() || each.get<std::string>().empty()) {
             refuse(here, each, "a word is needed", "write it between double quotes");

@@ -198,7 +198,7 @@ StudyInputs read_inputs(const Json& json, const fs::path& folder, const std::str
         require_object(each, here, example);
         const std::array<std::string_view, 3> kinds = {"files", "manifest", "cube"};
         const auto kind = std::ranges::find_if(kinds, [&](std::string_view name) { return each.contains(name); });
-        if (kind == kinds.end()) refuse(here, each, "it names no \"files\", \"manifest\" or \"cube\"", example);
+        if (kind == kinds.end()) refuse(here, each, R"(it names no "files", "manifest" or "cube")", example);
         if (std::any_of(kind + 1, kinds.end(), [&](std::string_view name) { return each.contains(name); })) {
             refuse(here, each, "it is two kinds of input", "make an input of each");
         }

@@ -87,7 +87,7 @@ std::string counts_text(const StatusCounts& counts) {
 }  // namespace
 
 std::string configuration_in(const Ledger& ledger) {
-    const std::string text = ledger.note("configuration");
+    std::string text = ledger.note("configuration");
     if (!text.empty()) return text;
     throw InputError({.where = ledger.path().string(),
                       .problem = "holds no settings",

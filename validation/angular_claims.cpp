@@ -54,7 +54,7 @@ Ratio directionality(const AngularCurve& curve) {
             .standard_error = curve.forward.at(mirror).standard_error / mean};
 }
 
-Finding more_directional_in_order(std::span<const AngularCurve> curves) {
+ClaimFinding more_directional_in_order(std::span<const AngularCurve> curves) {
     assert(curves.size() >= 2);
     double smallest_z = std::numeric_limits<double>::infinity();
     std::string values = fmt::format("{:.2f}", directionality(curves.front()).value);
@@ -71,7 +71,7 @@ Finding more_directional_in_order(std::span<const AngularCurve> curves) {
             .why = fmt::format("the BRDF in mirror direction is {} times the mean of the hemisphere", values)};
 }
 
-Finding near_lambertian(std::span<const AngularCurve> curves) {
+ClaimFinding near_lambertian(std::span<const AngularCurve> curves) {
     assert(!curves.empty());
     constexpr double largest_departure = 0.1;
     Departure worst;

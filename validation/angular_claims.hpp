@@ -22,12 +22,12 @@ struct Ratio {
 [[nodiscard]] Ratio directionality(const AngularCurve& curve);
 
 /// The directionality grows from every curve, two at least, to the next, by `decisive_z` standard errors or more.
-[[nodiscard]] Finding more_directional_in_order(std::span<const AngularCurve> curves);
+[[nodiscard]] ClaimFinding more_directional_in_order(std::span<const AngularCurve> curves);
 
 /// Up to 60 degrees from the normal, every curve, one at least, departs from its mean by no more than 10 %: its rings
 /// one by one, and its plane of incidence in parts of about 20 degrees, forward and backward. Beyond lies a quarter of
 /// a Lambertian's light. The limit is a convention: about what practical diffusers, which are called Lambertian,
 /// depart.
-[[nodiscard]] Finding near_lambertian(std::span<const AngularCurve> curves);
+[[nodiscard]] ClaimFinding near_lambertian(std::span<const AngularCurve> curves);
 
 }  // namespace skinfit

@@ -15,7 +15,7 @@ namespace {
 /// About the smallest CIEDE2000 that is seen.
 constexpr double just_noticeable = 1.0;
 
-Finding rising_in_order(std::span<const Lab> colours, double Lab::*coordinate, std::string_view name) {
+ClaimFinding rising_in_order(std::span<const Lab> colours, double Lab::*coordinate, std::string_view name) {
     assert(colours.size() >= 2);
     bool rises = true;
     for (std::size_t i = 1; i < colours.size(); ++i) rises &= colours[i].*coordinate > colours[i - 1].*coordinate;
@@ -45,11 +45,11 @@ RenderedColour rendered(const SpectralCurve& curve) {
             .is_in_gamut = in_srgb_gamut(encoded)};
 }
 
-Finding redder_in_order(std::span<const Lab> colours) {
+ClaimFinding redder_in_order(std::span<const Lab> colours) {
     return rising_in_order(colours, &Lab::a, "a*");
 }
 
-Finding yellower_in_order(std::span<const Lab> colours) {
+ClaimFinding yellower_in_order(std::span<const Lab> colours) {
     return rising_in_order(colours, &Lab::b, "b*");
 }
 

@@ -22,9 +22,9 @@ struct RenderedColour {
 
 /// a* rises from every colour, two at least, to the next, and the rise of a* alone from the first to the last is a
 /// colour difference that can just be seen, CIEDE2000 of 1 or more. [SHARMA05]
-[[nodiscard]] Finding redder_in_order(std::span<const Lab> colours);
+[[nodiscard]] ClaimFinding redder_in_order(std::span<const Lab> colours);
 
 /// The same of b*.
-[[nodiscard]] Finding yellower_in_order(std::span<const Lab> colours);
+[[nodiscard]] ClaimFinding yellower_in_order(std::span<const Lab> colours);
 
 }  // namespace skinfit

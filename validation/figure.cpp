@@ -136,7 +136,7 @@ void check_sources(const Json& json, const std::string& where) {
         throw InputError({.where = here,
                           .problem = fmt::format("\"{}\" has no source", key),
                           .why = "a reader must see which values are the paper's",
-                          .remedy = "write \"paper: ...\" or \"chosen: ...\""});
+                          .remedy = R"(write "paper: ..." or "chosen: ...")"});
     }
 }
 

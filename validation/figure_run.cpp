@@ -70,7 +70,7 @@ AngularCurve lobe_of(const std::string& name, FigureLight shown, const Configura
     return curve;
 }
 
-Finding judged(Claim claim, const VariantResult& result, const std::optional<Spectrum>& measured) {
+ClaimFinding judged(Claim claim, const VariantResult& result, const std::optional<Spectrum>& measured) {
     if (info(claim).needs_measured && !measured) {
         return {.verdict = ClaimVerdict::skipped, .number = 0.0, .measure = "", .why = "the measurement is not here"};
     }

@@ -27,7 +27,7 @@ struct VariantResult {
     std::vector<SpectralCurve> spectra;   ///< one per series of a figure of spectra, else none
     std::vector<RenderedColour> colours;  ///< of the spectra, where the panel or a claim asks for them
     std::vector<AngularCurve> lobes;      ///< one per series of a goniophotometer's figure, else none
-    std::vector<Finding> findings;        ///< one per claim of the panel
+    std::vector<ClaimFinding> findings;   ///< one per claim of the panel
 };
 
 /// A panel under all variants of its figure.

@@ -13,7 +13,7 @@ enum class ClaimVerdict {
 };
 
 /// The verdict on one claim about one set of curves.
-struct Finding {
+struct ClaimFinding {
     ClaimVerdict verdict = ClaimVerdict::skipped;
     double number = 0.0;  ///< that decided; 0 where skipped
     std::string measure;  ///< what the number is, with its unit and the rule it had to meet

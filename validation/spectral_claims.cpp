@@ -53,7 +53,7 @@ Distance distance(const SpectralCurve& curve, const Overlap& common) {
     return found;
 }
 
-Finding no_overlap() {
+ClaimFinding no_overlap() {
     return {.verdict = ClaimVerdict::skipped,
             .number = 0.0,
             .measure = "",
@@ -76,7 +76,7 @@ bool has_peak_between_dips(const SpectralCurve& curve) {
 
 }  // namespace
 
-Finding darker_in_order(std::span<const SpectralCurve> curves) {
+ClaimFinding darker_in_order(std::span<const SpectralCurve> curves) {
     assert(curves.size() >= 2);
     double smallest = std::numeric_limits<double>::infinity();
     double largest = -smallest;
@@ -111,7 +111,7 @@ double w_depth(const SpectralCurve& curve) {
     return curve.at(560) - ((1.0 - share) * curve.at(542) + share * curve.at(577));
 }
 
-Finding w_deepens_in_order(std::span<const SpectralCurve> curves) {
+ClaimFinding w_deepens_in_order(std::span<const SpectralCurve> curves) {
     assert(curves.size() >= 2);
     // A depth is the difference of two means of values.
     constexpr double depth_accuracy = 2.0 * solver_accuracy;
@@ -134,7 +134,7 @@ Finding w_deepens_in_order(std::span<const SpectralCurve> curves) {
             .why = std::move(why)};
 }
 
-Finding close_to_measured(std::span<const SpectralCurve> curves, const Spectrum& measured) {
+ClaimFinding close_to_measured(std::span<const SpectralCurve> curves, const Spectrum& measured) {
     assert(!curves.empty());
     const Overlap common = overlap(curves.front(), measured);
     if (common.measured.empty()) return no_overlap();
@@ -149,7 +149,7 @@ Finding close_to_measured(std::span<const SpectralCurve> curves, const Spectrum&
                                nearest->largest)};
 }
 
-Finding measured_within(std::span<const SpectralCurve> curves, const Spectrum& measured) {
+ClaimFinding measured_within(std::span<const SpectralCurve> curves, const Spectrum& measured) {
     assert(!curves.empty());
     const Overlap common = overlap(curves.front(), measured);
     if (common.measured.empty()) return no_overlap();

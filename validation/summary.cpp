@@ -13,7 +13,7 @@ struct Judgement {
     const FigurePanel* panel;
     Claim claim;
     FigureVariant variant;
-    const Finding* finding;
+    const ClaimFinding* finding;
 };
 
 /// Panel by panel and claim by claim, so that the variants of one claim stand together.
@@ -50,7 +50,7 @@ std::string summary_text(const std::vector<FigureResult>& results) {
     for (const FigureResult& result : results) {
         text += fmt::format("{}\n", result.figure.title);
         const FigurePanel* panel = nullptr;
-        const Finding* finding = nullptr;
+        const ClaimFinding* finding = nullptr;
         Claim claim{};
         for (const Judgement& each : judgements(result)) {
             if (finding == nullptr || each.panel != panel || each.claim != claim) {

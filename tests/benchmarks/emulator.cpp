@@ -57,7 +57,8 @@ void bulk(benchmark::State& state) {
         Eigen::Index row = 0;
         for (const Reading& reading :
              read_by_emulator(experiment, problem.only().wavelength_nm, emulator, std::nullopt)) {
-            spectra(row, i) = reading.reflectance + 0.002 * static_cast<double>((i * 31 + row * 17) % 11 - 5);
+            spectra(row, i) =
+                reading.reflectance + 0.002 * static_cast<double>((i * 31 + static_cast<int>(row) * 17) % 11 - 5);
             ++row;
         }
     }

@@ -1,11 +1,8 @@
-#include <nlohmann/json.hpp>
-
+#include "core/json.hpp"
 #include "tests/cli/cli_test.hpp"
 
 namespace skinfit::test {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 class BenchRuns : public CliTest {};
 

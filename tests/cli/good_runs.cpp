@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <csignal>
-#include <nlohmann/json.hpp>
 
+#include "core/json.hpp"
 #include "core/text.hpp"
 #include "tests/cli/cli_test.hpp"
 
@@ -9,8 +9,6 @@ namespace skinfit::test {
 namespace {
 
 using Arguments = std::vector<std::string>;
-using Json = nlohmann::ordered_json;
-
 const std::string specimen = SKINFIT_SOURCE_DIR "/measurements/data/ncsu_113.csv";
 
 class GoodRuns : public CliTest {

@@ -1,11 +1,8 @@
-#include <nlohmann/json.hpp>
-
+#include "core/json.hpp"
 #include "tests/cli/cli_test.hpp"
 
 namespace skinfit::test {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 const std::string specimen = SKINFIT_SOURCE_DIR "/measurements/data/ncsu_113.csv";
 

@@ -1,12 +1,10 @@
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "core/json.hpp"
 #include "tests/cli/cli_test.hpp"
 
 namespace skinfit::test {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 class InstrumentRuns : public CliTest {
 protected:

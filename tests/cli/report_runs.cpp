@@ -1,15 +1,13 @@
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "core/json.hpp"
 #include "core/text.hpp"
 #include "tests/cli/cli_test.hpp"
 #include "tests/report/tag_balance.hpp"
 
 namespace skinfit::test {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 bool holds(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
@@ -104,7 +102,7 @@ TEST_F(ReportRuns, TheTableOfParametersSaysWhatTheReportForProgramsSays) {
         if (parameter["status"] != "free") continue;
         const std::vector<std::string> cells = row_of(page(), name);
         ASSERT_GE(cells.size(), 3U) << name;
-        const std::string interval = cells[2];
+        const std::string& interval = cells[2];
         const std::size_t to = interval.find(" to ");
         ASSERT_NE(to, std::string::npos) << interval;
         EXPECT_TRUE(is_rounded(cells[0], parameter["value"])) << name << " " << cells[0];
@@ -129,7 +127,7 @@ TEST_F(ReportRuns, SeveralSpectraAreReportedTogether) {
     const std::string text = page();
     EXPECT_EQ(tag_complaint(text), "");
     for (const char* part : {">Spectra</h2>", "Each spectrum&#39;s part of the misfit", "oxygen_saturation[2]",
-                             "it is a transmittance", "<th scope=\"col\" class=\"number\">transmitted</th>"}) {
+                             "it is a transmittance", R"(<th scope="col" class="number">transmitted</th>)"}) {
         EXPECT_TRUE(holds(text, part)) << part;
     }
 }

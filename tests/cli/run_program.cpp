@@ -51,10 +51,11 @@ StartedProgram::StartedProgram(const std::vector<std::string>& words, const std:
     err_ = name + ".stderr";
     const int out_descriptor = open_stdout(where, out_);
     const int err_descriptor = open_for_writing(err_);
+    std::vector<std::string> arguments = words;
     std::vector<char*> argv;
-    for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+    for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
-    process_ = ::fork();
+    process_ = ::fork();  // NOLINT(cppcoreguidelines-prefer-member-initializer): once all is prepared
     if (process_ < 0) throw std::runtime_error("cannot fork");
     if (process_ == 0) {
         ::dup2(out_descriptor, STDOUT_FILENO);

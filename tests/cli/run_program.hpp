@@ -25,6 +25,7 @@ public:
                    Stdout where = Stdout::captured);
     StartedProgram(const StartedProgram&) = delete;
     StartedProgram& operator=(const StartedProgram&) = delete;
+    ~StartedProgram() = default;
 
     /// Ends it at once, as `kill -9` does.
     void kill() const;

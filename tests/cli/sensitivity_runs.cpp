@@ -1,5 +1,4 @@
-#include <nlohmann/json.hpp>
-
+#include "core/json.hpp"
 #include "core/text.hpp"
 #include "tests/cli/cli_test.hpp"
 
@@ -7,8 +6,6 @@ namespace skinfit::test {
 namespace {
 
 using Arguments = std::vector<std::string>;
-using Json = nlohmann::ordered_json;
-
 class SensitivityRuns : public CliTest {
 protected:
     /// Expects success without a word on stderr; stdout.

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/json.hpp"
 #include "tests/cli/cli_test.hpp"
 
 namespace skinfit::test {
-
-using Json = nlohmann::ordered_json;
 
 /// A test of studies: a file of spectra that lie about those of a light skin, and a study of them.
 class StudyTest : public CliTest {

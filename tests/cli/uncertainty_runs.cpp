@@ -1,13 +1,11 @@
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "core/json.hpp"
 #include "core/text.hpp"
 #include "tests/cli/cli_test.hpp"
 
 namespace skinfit::test {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 class UncertaintyRuns : public CliTest {
 protected:

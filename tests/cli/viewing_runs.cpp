@@ -1,13 +1,10 @@
-#include <nlohmann/json.hpp>
-
+#include "core/json.hpp"
 #include "tests/cli/cli_test.hpp"
 
 namespace skinfit::test {
 namespace {
 
 using Arguments = std::vector<std::string>;
-using Json = nlohmann::ordered_json;
-
 class ViewingRuns : public CliTest {};
 
 TEST_F(ViewingRuns, TheConeGoesFromTheSimulationThroughItsFileIntoTheReport) {

@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 
-#include <nlohmann/json.hpp>
-
+#include "core/json.hpp"
 #include "core/text.hpp"
 #include "tests/cli/cli_test.hpp"
 #include "tests/support/known_names.hpp"
@@ -10,8 +9,6 @@ namespace skinfit::test {
 namespace {
 
 using Arguments = std::vector<std::string>;
-using Json = nlohmann::ordered_json;
-
 /// The keys of `json`, at any depth, but those that users choose.
 void add_keys(const Json& json, Names& names) {
     if (!json.is_structured()) return;

@@ -46,8 +46,8 @@ TEST_F(Asked, VocabularyIsThatOfTheParameterTableAndTheConfiguration) {
 
 TEST_F(Asked, WhatIsNoRequestIsAnError) {
     for (const char* body : {"", "{", "[]", "7", "\"text\"", "{\"configuration\": 7}", "{\"configuration\": [1]}",
-                             "{\"configuration\": {\"parameters\": 3}}", "{\"configuration\": {\"free\": 3}}",
-                             "{\"configuration\": {}, \"configuration\": {}}", "\xff\xfe\x00"}) {
+                             R"({"configuration": {"parameters": 3}})", R"({"configuration": {"free": 3}})",
+                             R"({"configuration": {}, "configuration": {}})", "\xff\xfe\x00"}) {
         const Answer answer = ask("POST", "/api/simulate", body);
         EXPECT_EQ(answer.status, 400) << body << answer.json;
         EXPECT_FALSE(answer.json["error"].get<std::string>().empty());

@@ -16,7 +16,7 @@ RequestParts good() {
 }
 
 int status_of(const RequestParts& request) {
-    const std::optional<Refusal> refused = refusal(request, access);
+    const std::optional<RequestRefusal> refused = refusal(request, access);
     return refused ? refused->status : 200;
 }
 

@@ -8,6 +8,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <filesystem>
@@ -107,8 +108,8 @@ void send_and_close(int port, const std::string& bytes) {
     if (::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0) {
         (void)::send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL);
         (void)::shutdown(socket, SHUT_WR);
-        char answer[4096];
-        while (::recv(socket, answer, sizeof answer, 0) > 0) {
+        std::array<char, 4096> answer{};
+        while (::recv(socket, answer.data(), answer.size(), 0) > 0) {
         }
     }
     ::close(socket);

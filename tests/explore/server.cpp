@@ -39,7 +39,7 @@ TEST_F(Serving, AnswersWithTheTokenInHeaderOrQueryAndNotWithout) {
     EXPECT_EQ(client_.Get("/api/vocabulary")->status, 403);
     EXPECT_EQ(client_.Get("/api/vocabulary", {{token_header, "wrong"}})->status, 403);
     EXPECT_EQ(client_.Get("/api/vocabulary", with_token())->status, 200);
-    EXPECT_EQ(client_.Get(("/api/vocabulary?token=" + server_.token()).c_str())->status, 200);
+    EXPECT_EQ(client_.Get("/api/vocabulary?token=" + server_.token())->status, 200);
     EXPECT_EQ(client_.Post("/api/simulate", with_token(), "{}", "application/json")->status, 200);
     EXPECT_EQ(client_.Post("/api/simulate", "{}", "application/json")->status, 403);
 }
@@ -97,7 +97,7 @@ TEST_F(Serving, AReportIsSavedUnderTheRulesOfEveryAnswer) {
 
 TEST_F(Serving, ThePageHoldsNoSecret) {
     for (const EmbeddedFile& file : page_files()) {
-        const httplib::Result result = client_.Get(("/" + std::string(file.name)).c_str());
+        const httplib::Result result = client_.Get("/" + std::string(file.name));
         EXPECT_EQ(result->status, 200);
         EXPECT_EQ(result->body, file.text);
     }

@@ -120,7 +120,7 @@ TEST(Objective, MisfitIsTheReadingAgainstTheMeasurementInSigmas) {
 
 TEST(Objective, BatchesAverageToTheReading) {
     Configuration configuration = with_free(quick_configuration(), {Parameter::melanosome_fraction});
-    configuration.rays = 32 * 100;  // batches of equal size: the plain mean
+    configuration.rays = 3200;  // batches of equal size: the plain mean
     const Task task(configuration, modelled_spectrum(configuration, grid_nm(400, 700, 50)));
     const std::vector<double> values = {0.05};
     const Eigen::VectorXd mean = task.objective.batch_readings(values).rowwise().mean();
@@ -131,7 +131,7 @@ TEST(Objective, BatchesAverageToTheReading) {
 
 TEST(Objective, StandardErrorsOfReadingsAreTheScatterOfTheirBatches) {
     Configuration configuration = with_free(quick_configuration(), {Parameter::melanosome_fraction, Parameter::scale});
-    configuration.rays = 32 * 100;  // batches of equal size: the plain scatter
+    configuration.rays = 3200;  // batches of equal size: the plain scatter
     const Task task(configuration, modelled_spectrum(configuration, grid_nm(400, 700, 50)));
     const std::vector<double> values = {0.05, 1.5};
     const Eigen::MatrixXd batches = task.objective.batch_readings(values);

@@ -20,7 +20,7 @@ std::string refusal(const Plot& plot, const std::filesystem::path& path) {
     return test::refusal_of([&] { draw(plot, path); });
 }
 
-const Plot example = {.title = "a `date` title's \"$HOME\" \\n",
+const Plot example = {.title = R"(a `date` title's "$HOME" \n)",
                       .x_label = "x_axis (nm)",
                       .y_label = "y^2 {axis} @ & < (1)",
                       .lines = {{.label = "melanosome_fraction = 1", .x = {1, 2, 3}, .y = {1, -1, 0.5}},
@@ -36,7 +36,7 @@ TEST_F(PlotTest, ALabelMayBeginWithAnApostrophe) {
 TEST_F(PlotTest, AnSvgHoldsItsLabelsAsTheyAre) {
     draw(example, in_folder("a.svg"));
     const std::string svg = read_file(in_folder("a.svg"));
-    for (const std::string label : {"a `date` title's \"$HOME\" \\n", "x_axis (nm)", "y^2 {axis} @ &amp; &lt; (1)",
+    for (const std::string label : {R"(a `date` title's "$HOME" \n)", "x_axis (nm)", "y^2 {axis} @ &amp; &lt; (1)",
                                     "melanosome_fraction = 1", "it's END exit 1"}) {
         EXPECT_NE(svg.find(label), std::string::npos) << label;
     }

@@ -155,7 +155,7 @@ TEST(Posterior, SaysWhatItsDrawsSay) {
     EXPECT_NEAR(share_below(found.median / 0.1) * 2.0 - 1.0, 0.5, error);
     EXPECT_NEAR(share_below(found.upper / 0.1) * 2.0 - 1.0, 0.975, error);
     EXPECT_NEAR(share_below(found.lower / 0.1) * 2.0 - 1.0, 0.025, error);
-    const double all = static_cast<double>(posterior.draws.cols());
+    const auto all = static_cast<double>(posterior.draws.cols());
     for (const auto& [value, share] :
          {std::pair(found.lower, 0.025), std::pair(found.median, 0.5), std::pair(found.upper, 0.975)}) {
         EXPECT_NEAR(static_cast<double>((posterior.draws.array() < value).count()) / all, share, 1.0 / all);

@@ -37,6 +37,15 @@ TEST(TextReport, ShowsHowThePosteriorWasSampled) {
     expect_golden(text_report(sampled_result()), "sampled.txt");
 }
 
+TEST(TextReport, SaysWhereTheSpectrumSpreadsAParameter) {
+    FitResult result = sampled_result();
+    EXPECT_EQ(text_report(result).find("further apart"), std::string::npos);
+    result.identifiability.shrinkage.front() = -0.25;
+    EXPECT_NE(text_report(result).find("   -25.0 %  melanosome_fraction  (values lie further apart than before)\n"),
+              std::string::npos)
+        << text_report(result);
+}
+
 TEST(TextReport, SaysWhichMinimaWereLeftOut) {
     FitResult result = example_result();
     EXPECT_EQ(search_words(result), "8 starts, which ended at 2 minima");

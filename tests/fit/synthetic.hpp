@@ -45,6 +45,7 @@ struct Task {
     Task(const Configuration& configuration, const Spectrum& spectrum);
     Task(const Task&) = delete;
     Task& operator=(const Task&) = delete;
+    ~Task() = default;
 };
 
 /// How `vector_of` changes with number `i` of `values`: the difference over a step of `h` to either side.

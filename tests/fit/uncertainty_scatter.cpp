@@ -67,7 +67,7 @@ TEST(UncertaintyScatter, MonteCarloSigmaIsTheScatterOfFitsOverSeeds) {
     Eigen::MatrixXd fits(3, seeds);
     Eigen::VectorXd variance = Eigen::VectorXd::Zero(3);
     for (int seed = 0; seed < seeds; ++seed) {
-        configuration.seed = static_cast<std::uint64_t>(100 + seed);
+        configuration.seed = 100 + static_cast<std::uint64_t>(seed);
         const Task task(configuration, spectrum);
         const Minimum minimum = minimise_by_ceres(task.objective, starts(task.problem));
         const Uncertainty uncertainty = estimate_uncertainty(task.objective, minimum);

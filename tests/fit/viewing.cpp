@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "core/input_error.hpp"
 #include "fit/fit.hpp"
@@ -27,7 +28,7 @@ TEST(ViewingCone, DefaultsToTheGeometryOf45_0) {
     EXPECT_EQ(configuration.specular, Specular::excluded);
     const Experiment experiment = make_experiment(configuration, {});
     EXPECT_DOUBLE_EQ(experiment.viewing_cone_rad.value(), 5 * rad_per_deg);
-    EXPECT_EQ(surface_weight(experiment), 0.0);
+    EXPECT_EQ(reading_law(experiment, Quantity::reflectance).surface_weight, 0.0);
 }
 
 TEST(ViewingCone, IsTakenFromTheFileUnlessSet) {
@@ -47,7 +48,7 @@ TEST(ViewingCone, IsRefusedWhereItMeansNothing) {
         change(configuration);
         return configuration;
     };
-    const Configuration bad[] = {
+    const std::vector<Configuration> bad = {
         with([](Configuration& c) { c.engine = Engine::paths; }),
         with([](Configuration& c) { c.engine = Engine::emulator; }),
         with([](Configuration& c) { c.quantity = Quantity::transmittance; }),

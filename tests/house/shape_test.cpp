@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "tests/house/source_shape.hpp"
 #include "tests/house/source_tree.hpp"
@@ -61,6 +64,44 @@ TEST(Shape, FindsWhatIsNotExplained) {
                                 "[[nodiscard]] int four() const;\n\nprivate:\n    [[nodiscard]] int five() const;\n};\n"
                                 "inline constexpr int six = 6;  ///< explained\n\n}\n"),
                 testing::ElementsAre("int three(int a,", "class Box {", "[[nodiscard]] int four() const;"));
+}
+
+/// The header that defines each public type.
+std::map<std::string, std::string> homes_of_types(const std::vector<std::string>& folders) {
+    std::map<std::string, std::string> homes;
+    for (const SourceFile& file : source_files(folders, {".hpp"})) {
+        for (const std::string& type : types_in(file.text)) {
+            const auto [home, is_new] = homes.emplace(type, file.path);
+            EXPECT_TRUE(is_new || home->second == file.path)
+                << type << " is defined in " << home->second << " and in " << file.path;
+        }
+    }
+    return homes;
+}
+
+/// Two types of one name would be one to the linker, which keeps one destructor for both.
+TEST(Shape, NoTwoHeadersDefineTypesOfOneName) {
+    std::vector<std::string> folders = source_folders();
+    folders.emplace_back("tests");
+    EXPECT_GT(homes_of_types(folders).size(), 300U);
+}
+
+TEST(Shape, NoSourceFileHasATypeOfItsOwnWithAPublicName) {
+    std::map<std::string, std::string> homes = homes_of_types(source_folders());
+    std::erase_if(homes, [](const auto& home) { return home.second == "model/vector_scattering.hpp"; });  // per CPU
+    for (const SourceFile& file : sources({".cpp"})) {
+        for (const std::string& type : types_in(file.text)) {
+            EXPECT_FALSE(homes.contains(type)) << type << " of " << file.path << " is in " << homes[type] << " too";
+        }
+    }
+}
+
+TEST(Shape, FindsTheTypesOfAHeader) {
+    EXPECT_THAT(
+        types_in("namespace skinfit {\n\nstruct Known;\nclass Box final : public Known {\n    struct Inner {\n    "
+                 "};\n};\nstruct Empty {};\nenum class Side : int { left, right };\nusing Row = "
+                 "std::vector<Box>;\nusing std::min;\nstruct Long\n    : Known {\n};\n\n}\n"),
+        testing::ElementsAre("Box", "Empty", "Side", "Row", "Long"));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstddef>
 
 #include "core/text.hpp"
@@ -127,6 +128,21 @@ std::vector<std::string> undocumented_in(std::string_view header) {
     HeaderReading reading;
     for (const std::string_view line : split_lines(header)) reading.read(line);
     return reading.undocumented();
+}
+
+std::vector<std::string> types_in(std::string_view header) {
+    constexpr std::array<std::string_view, 5> beginnings = {"struct ", "class ", "union ", "enum class ", "using "};
+    std::vector<std::string> types;
+    for (const std::string_view line : split_lines(header)) {
+        for (const std::string_view beginning : beginnings) {
+            if (!line.starts_with(beginning)) continue;
+            const std::string_view rest = line.substr(beginning.size());
+            const auto end = std::ranges::find_if(
+                rest, [](char c) { return c != '_' && std::isalnum(static_cast<unsigned char>(c)) == 0; });
+            if (end == rest.end() || *end == ' ') types.emplace_back(rest.begin(), end);
+        }
+    }
+    return types;
 }
 
 }  // namespace skinfit::house

@@ -20,4 +20,7 @@ struct FunctionLength {
 /// below it up to the next empty line; one above the namespace explains them all.
 [[nodiscard]] std::vector<std::string> undocumented_in(std::string_view header);
 
+/// The names of the types that the namespaces of a header define, aliases too; not those that it only declares.
+[[nodiscard]] std::vector<std::string> types_in(std::string_view header);
+
 }  // namespace skinfit::house

@@ -30,7 +30,7 @@ Outcome build_project(const std::filesystem::path& source, const std::filesystem
                             "-DCMAKE_FIND_PACKAGE_NO_PACKAGE_REGISTRY=ON"};
     Words configure = {SKINFIT_CMAKE, "-S", source.string(), "-B", folder.string(), "-G", SKINFIT_GENERATOR};
     configure.insert(configure.end(), settings.begin(), settings.end());
-    const Outcome configured = run_words(configure, folder.parent_path());
+    Outcome configured = run_words(configure, folder.parent_path());
     if (configured.exit_code != 0) return configured;
     return run_words({SKINFIT_CMAKE, "--build", folder.string(), "--parallel", "2"}, folder.parent_path());
 }

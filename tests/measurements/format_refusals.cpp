@@ -136,7 +136,7 @@ TEST(FormatRefusals, OfJson) {
         {R"([{"start": 400, "step": 1, "value": ["x"]}])",
          "f: spectrum 1: value: \"x\" cannot be used (a number or null is needed); correct it; " + json_example},
         {R"({"start": 400, "step": 1, "value": [0.1], "specula": "included"})",
-         "f: unknown name \"specula\" (it would have no effect); did you mean \"specular\"? Else rename it"},
+         R"(f: unknown name "specula" (it would have no effect); did you mean "specular"? Else rename it)"},
         {R"({"start": 400, "start": 1, "value": [0.1]})",
          "f: gives \"start\" twice (only one of them could hold); keep one of the two"},
         {"[]", "f: holds no numbers (every value of every spectrum is missing); check that the file is complete"},

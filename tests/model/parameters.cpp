@@ -17,7 +17,7 @@ struct NamedField {
     double* value;
 };
 
-/// Every field of `values`, named by the preprocessor as it is spelled in C++, in the order of architecture.md.
+/// Every field of `values`, named by the preprocessor as it is spelled in C++, in the order of `Parameter`.
 std::array<NamedField, parameter_count> fields_of(ParameterValues& values) {
 #define SKINFIT_FIELD(part, field) \
     NamedField {                   \

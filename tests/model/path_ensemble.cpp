@@ -103,7 +103,7 @@ TEST(PathEnsemble, RespondsWithTheSumOverItsPaths) {
 TEST(PathEnsemble, DerivativesAreThoseOfItsShares) {
     const PathEnsemble ensemble = PathEnsemble::trace(thin_skin, wavelengths_nm, options);
     const std::vector<PerLayer<double>> depths = depths_of(thin_skin);
-    const double n = static_cast<double>(options.rays);
+    const auto n = static_cast<double>(options.rays);
     const auto share_at = [&](std::size_t w, Side side, std::size_t layer, double change) {
         std::vector<PerLayer<double>> moved = depths;
         moved[w][layer] += change;

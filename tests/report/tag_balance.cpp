@@ -29,7 +29,7 @@ std::string tag_complaint(std::string_view markup) {
     while (!markup.empty()) {
         const std::size_t less = std::min(markup.find('<'), markup.size());
         const bool is_style = !open.empty() && open.back() == "style";  // holds `>` of selectors
-        if (const std::string wrong = text_complaint(markup.substr(0, less)); !wrong.empty() && !is_style) return wrong;
+        if (std::string wrong = text_complaint(markup.substr(0, less)); !wrong.empty() && !is_style) return wrong;
         markup.remove_prefix(less);
         if (markup.empty()) break;
         const std::size_t greater = markup.find('>');

@@ -23,7 +23,7 @@ protected:
     /// Simulates `json` into the folder of the test.
     SimulatedCohort write(const Json& json) const {
         const Cohort cohort = cohort_of(json);
-        const SimulatedCohort simulated = simulate(cohort, without_cache());
+        SimulatedCohort simulated = simulate(cohort, without_cache());
         write_cohort(cohort, simulated, in_folder(""));
         return simulated;
     }

@@ -112,7 +112,7 @@ TEST(CohortLaws, ReadingsDepartFromTheModelByNoiseAndDiscrepancyAsStated) {
         const SimulatedCohort cohort = simulate(cohort_of(noisy(1000, 1, discrepancy)), without_cache());
         std::vector<Eigen::VectorXd> differences;
         for (const SimulatedSubject& subject : cohort.subjects) {
-            differences.push_back(vector_of(subject.reading.front()) - vector_of(subject.noise_free));
+            differences.emplace_back(vector_of(subject.reading.front()) - vector_of(subject.noise_free));
         }
         const auto p = [&](double noise, double sigma, double length_nm) {
             return p_value(differences, covariance(cohort.wavelength_nm, noise, sigma, length_nm, matern));
@@ -129,7 +129,7 @@ TEST(CohortLaws, RepeatsShareTheSkinAndItsDepartureAndDifferByNoiseAlone) {
     std::vector<Eigen::VectorXd> differences;
     for (const SimulatedSubject& subject : cohort.subjects) {
         ASSERT_EQ(subject.reading.size(), 2U);
-        differences.push_back((vector_of(subject.reading[0]) - vector_of(subject.reading[1])) / std::sqrt(2.0));
+        differences.emplace_back((vector_of(subject.reading[0]) - vector_of(subject.reading[1])) / std::sqrt(2.0));
     }
     EXPECT_GT(p_value(differences, covariance(cohort.wavelength_nm, 0.004, 0, 25, false)), passing_p_value);
     EXPECT_LT(p_value(differences, covariance(cohort.wavelength_nm, 0.0045, 0, 25, false)), passing_p_value);

@@ -47,7 +47,7 @@ const std::vector<BadCohort> bad_cohorts = {
     {R"({"population": {"bilirubin_g_per_l": "much"}})", "cohort.json: population: priors.bilirubin_g_per_l"},
     {R"({"population": {"bilirubin_g_per_l": {"kind": "log_norml"}}})", "did you mean log_normal?"},
     {R"({"population": {"bilirubin_g_per_l": {"meadian": 1}}})",
-     "unknown name \"meadian\" (it would have no effect); did you mean \"median\"?"},
+     R"(unknown name "meadian" (it would have no effect); did you mean "median"?)"},
     {R"({"population": {"bilirubin_g_per_l": {"lower": 2, "upper": 1}}})", "lower bound 2 is not below upper bound 1"},
     {R"({"population": {"bilirubin_g_per_l": {"median": 9, "sigma_log": 0.1}}})", "outside the bounds"},
     {R"({"population": {"total_blood_fraction": 0.1}})", "cohort.json: population: priors.total_blood_fraction"},

@@ -148,7 +148,7 @@ TEST(Indices, ScatterAsTheirSigmasSay) {
             sum += z;
             squares += z * z;
         }
-        const double n = static_cast<double>(spectra);
+        const auto n = static_cast<double>(spectra);
         const double statistic = squares - sum * sum / n;
         const auto p_value = [n](double chi_square) {
             const double above = test::chi_square_p_value(chi_square, n - 1.0);

@@ -128,7 +128,7 @@ TEST_F(Refusals, OfALedgerWithChangedBits) {
 TEST_F(Refusals, OfTextsThatMakeNoSense) {
     for (const std::string change :
          {"UPDATE spectra SET parameters = '[{\"name\":1}]'", "UPDATE spectra SET correlation = '[nu'",
-          "UPDATE spectra SET metadata = '{\"a\":1}'", "UPDATE spectra SET indices = '[{\"name\":\"x\"}]'",
+          "UPDATE spectra SET metadata = '{\"a\":1}'", R"(UPDATE spectra SET indices = '[{"name":"x"}]')",
           "UPDATE tiles SET counts = '{\"fit\":1}'", "UPDATE cubes SET metadata = '['"}) {
         write_ledger();
         make_database({change});

@@ -65,7 +65,7 @@ TEST(Manifest, KeepsWordsOfAllLanguages) {
 }
 
 TEST(Manifest, RefusesWhatItCannotMean) {
-    const std::string remedy = "; a manifest has a header with a column \"file\", perhaps \"spectrum\", and metadata";
+    const std::string remedy = R"(; a manifest has a header with a column "file", perhaps "spectrum", and metadata)";
     const std::vector<std::pair<std::string, std::string>> table = {
         {"", "m.csv: lists no spectrum (it has no line below the header)" + remedy},
         {"# only a comment\n", "m.csv: lists no spectrum (it has no line below the header)" + remedy},

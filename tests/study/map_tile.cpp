@@ -107,14 +107,14 @@ TEST_F(MapTileTest, HoldsWhatAPlainLoopOverThePixelsFinds) {
     }
     EXPECT_EQ(bits_of(numbers_in(tile.bytes)), bits_of(expected));
     EXPECT_EQ(tile.pixels, pixels);
-    EXPECT_EQ(expected[11 * 7], static_cast<float>(PixelReason::missing_values));
+    EXPECT_EQ(expected[77], static_cast<float>(PixelReason::missing_values));
     EXPECT_EQ(pixels[static_cast<std::size_t>(FitStatus::rejected)], 1U);
 }
 
 TEST_F(MapTileTest, DependsNeitherOnTilesNorInterleaveNorThreads) {
     const SpectralCube bsq(in_folder("bsq.hdr"));
     const std::string bytes = map_bytes(bsq, 6);
-    EXPECT_EQ(bytes.size(), 14 * 42 * sizeof(float));
+    EXPECT_EQ(bytes.size(), std::size_t{14} * 42 * sizeof(float));
     EXPECT_EQ(map_bytes(bsq, 1), bytes);
     EXPECT_EQ(map_bytes(bsq, 4), bytes);
     EXPECT_EQ(map_bytes(SpectralCube(in_folder("bil.hdr")), 2), bytes);

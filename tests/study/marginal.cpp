@@ -18,21 +18,21 @@ double normal_cdf(double z) {
 }
 
 /// Any distribution and the one linear between its quantiles agree where those are; between, by a slice at the most.
-TEST(Marginal, OfASymmetricEstimateIsNormal) {
-    const Marginal marginal = marginal_of(example_estimate("oxygen_saturation", 0.5, 0.05)).value();
+TEST(MarginalDistribution, OfASymmetricEstimateIsNormal) {
+    const MarginalDistribution marginal = marginal_of(example_estimate("oxygen_saturation", 0.5, 0.05)).value();
     for (double x = 0.3; x < 0.7; x += 0.0037) {
         EXPECT_NEAR(marginal.probability_above(x), 1.0 - normal_cdf((x - 0.5) / 0.05), slice) << x;
     }
     EXPECT_NEAR(marginal.probability_above(0.5), 0.5, 1e-9);                               // a quantile
     EXPECT_NEAR(marginal.probability_above(0.5 + 0.05 * 0.6744897501960817), 0.25, 1e-9);  // another
-    const Marginal wider = marginal_of(example_estimate("oxygen_saturation", 0.5, 0.07)).value();
+    const MarginalDistribution wider = marginal_of(example_estimate("oxygen_saturation", 0.5, 0.07)).value();
     EXPECT_GT(std::abs(wider.probability_above(0.55) - (1.0 - normal_cdf(1.0))), slice);  // the check can fail
 }
 
-TEST(Marginal, EndsAtTheBoundsOfTheFit) {
+TEST(MarginalDistribution, EndsAtTheBoundsOfTheFit) {
     ParameterEstimate estimate = example_estimate("oxygen_saturation", 0.95, 0.1);
     estimate.interval_95.upper = 1.0;  // cut
-    const Marginal marginal = marginal_of(estimate).value();
+    const MarginalDistribution marginal = marginal_of(estimate).value();
     EXPECT_EQ(marginal.probability_above(1.0), 0.0);
     EXPECT_EQ(marginal.probability_above(-1e-9), 1.0);
     const double whole = normal_cdf(0.5) - normal_cdf(-9.5);
@@ -43,10 +43,10 @@ TEST(Marginal, EndsAtTheBoundsOfTheFit) {
 }
 
 /// Two halves with the probabilities of their scales' shares: the density is continuous where they meet.
-TEST(Marginal, OfALopsidedIntervalHasTwoScales) {
+TEST(MarginalDistribution, OfALopsidedIntervalHasTwoScales) {
     ParameterEstimate estimate = example_estimate("bilirubin_g_per_l", 0.5, 0.05);
     estimate.interval_95.upper += estimate.interval_95.upper - 0.5;  // 0.1 above
-    const Marginal marginal = marginal_of(estimate).value();
+    const MarginalDistribution marginal = marginal_of(estimate).value();
     EXPECT_NEAR(marginal.probability_above(0.5), 2.0 / 3.0, 1e-4);
     EXPECT_NEAR(marginal.probability_above(0.7), 2.0 / 3.0 * 2.0 * (1.0 - normal_cdf(2.0)), slice);
     EXPECT_NEAR(1.0 - marginal.probability_above(0.45), 1.0 / 3.0 * 2.0 * (1.0 - normal_cdf(1.0)), slice);
@@ -56,25 +56,25 @@ TEST(Marginal, OfALopsidedIntervalHasTwoScales) {
                 0.05, 2 * slice);
 }
 
-TEST(Marginal, AtABoundIsHalfANormalDistribution) {
+TEST(MarginalDistribution, AtABoundIsHalfANormalDistribution) {
     ParameterEstimate estimate = example_estimate("bilirubin_g_per_l", 0.0, 0.05);
     estimate.sigma.reset();
     estimate.status = Status::at_lower_bound;
     estimate.interval_95 = {.lower = 0.0, .upper = 1.6448536269514722 * 0.05};
-    const Marginal lower = marginal_of(estimate).value();
+    const MarginalDistribution lower = marginal_of(estimate).value();
     EXPECT_NEAR(lower.probability_above(0.05), 2.0 * (1.0 - normal_cdf(1.0)), slice);
     EXPECT_NEAR(lower.probability_above(estimate.interval_95.upper), 0.1, slice);
     estimate.status = Status::at_upper_bound;
     estimate.value = 1.0;
     estimate.interval_95 = {.lower = 1.0 - 1.6448536269514722 * 0.05, .upper = 1.0};
-    const Marginal upper = marginal_of(estimate).value();
+    const MarginalDistribution upper = marginal_of(estimate).value();
     for (double x = 0.01; x < 0.2; x += 0.0101) {
         EXPECT_NEAR(upper.probability_above(1.0 - x), 1.0 - lower.probability_above(x), 1e-9);
     }
     EXPECT_GT(std::abs(upper.probability_above(0.95) - lower.probability_above(0.05)), 0.3);  // the other half
 }
 
-TEST(Marginal, OfWhatIsNotIdentifiableThereIsNone) {
+TEST(MarginalDistribution, OfWhatIsNotIdentifiableThereIsNone) {
     ParameterEstimate estimate = example_estimate("oxygen_saturation", 0.5, 0.05);
     estimate.status = Status::not_identifiable;
     EXPECT_FALSE(marginal_of(estimate));
@@ -90,19 +90,19 @@ TEST(Marginal, OfWhatIsNotIdentifiableThereIsNone) {
 }
 
 /// An end of the interval that was cut at a bound tells no scale: the other does.
-TEST(Marginal, TakesTheScaleThatIsKnown) {
+TEST(MarginalDistribution, TakesTheScaleThatIsKnown) {
     ParameterEstimate estimate = example_estimate("oxygen_saturation", 0.95, 0.05);
     estimate.interval_95.upper = 1.0;
     estimate.sigma.reset();
-    const Marginal marginal = marginal_of(estimate).value();
+    const MarginalDistribution marginal = marginal_of(estimate).value();
     const double whole = normal_cdf(1.0);
     EXPECT_NEAR(marginal.probability_above(0.95), (normal_cdf(1.0) - 0.5) / whole, slice);
 }
 
-TEST(Marginal, OfAPosteriorIsItsQuantiles) {
+TEST(MarginalDistribution, OfAPosteriorIsItsQuantiles) {
     ParameterEstimate estimate = example_estimate("oxygen_saturation", 0.5, 0.05);
     estimate.quantiles = {0.2, 0.3, 0.6, 0.6, 0.9};
-    const Marginal marginal = marginal_of(estimate).value();
+    const MarginalDistribution marginal = marginal_of(estimate).value();
     EXPECT_DOUBLE_EQ(marginal.probability_above(0.2), 1.0);
     EXPECT_DOUBLE_EQ(marginal.probability_above(0.25), 0.875);
     EXPECT_DOUBLE_EQ(marginal.probability_above(0.3), 0.75);
@@ -116,10 +116,10 @@ TEST(Marginal, OfAPosteriorIsItsQuantiles) {
 
 /// Of two normal distributions. A slice's middle stands for the slice: half a slice of error at the most, summed over
 /// all slices; that of the other's quantiles, a slice.
-TEST(Marginal, ComparesIndependentNormals) {
+TEST(MarginalDistribution, ComparesIndependentNormals) {
     for (const double shift : {-0.1, -0.03, 0.0, 0.02, 0.07}) {
-        const Marginal a = marginal_of(example_estimate("oxygen_saturation", 0.5 + shift, 0.03)).value();
-        const Marginal b = marginal_of(example_estimate("oxygen_saturation", 0.5, 0.04)).value();
+        const MarginalDistribution a = marginal_of(example_estimate("oxygen_saturation", 0.5 + shift, 0.03)).value();
+        const MarginalDistribution b = marginal_of(example_estimate("oxygen_saturation", 0.5, 0.04)).value();
         EXPECT_NEAR(a.probability_above(b), normal_cdf(shift / 0.05), 1.5 * slice) << shift;
         EXPECT_NEAR(a.probability_above(b) + b.probability_above(a), 1.0, slice) << shift;
         EXPECT_GT(std::abs(a.probability_above(b) - normal_cdf((shift + 0.02) / 0.05)), 1.5 * slice);
@@ -127,8 +127,9 @@ TEST(Marginal, ComparesIndependentNormals) {
     }
 }
 
-TEST(Marginal, OfAnIndexIsNormal) {
-    const Marginal marginal = marginal_of(IndexValue{.name = index_table()[0].name, .value = 40.0, .sigma = 2.0});
+TEST(MarginalDistribution, OfAnIndexIsNormal) {
+    const MarginalDistribution marginal =
+        marginal_of(IndexValue{.name = index_table()[0].name, .value = 40.0, .sigma = 2.0});
     for (double z = -5.9; z < 5.9; z += 0.173) {
         EXPECT_NEAR(marginal.probability_above(40.0 + 2.0 * z), 1.0 - normal_cdf(z), slice);
     }

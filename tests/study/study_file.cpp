@@ -21,7 +21,7 @@ protected:
     [[nodiscard]] Study parsed(const std::string& text) const { return parse_study(text, in_folder("study.json")); }
     [[nodiscard]] std::vector<std::string> sources(const std::string& inputs) const {
         std::vector<std::string> names;
-        for (const StudyFile& file : parsed("{\"inputs\": " + inputs + ", \"output\": \"out\"}").files) {
+        for (const StudyFile& file : parsed("{\"inputs\": " + inputs + R"(, "output": "out"})").files) {
             names.push_back(file.source);
         }
         return names;

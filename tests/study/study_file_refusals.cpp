@@ -47,7 +47,7 @@ TEST_F(StudyRefusals, OfWhatIsNoStudy) {
             {R"({"inputs": ["a.csv"], "output": ""})",
              "study.json.output: \"\" cannot be used (a word is needed); write it between double quotes"},
             {R"({"input": ["a.csv"], "output": "out"})",
-             "study.json: unknown name \"input\" (it would have no effect); did you mean \"inputs\"?"},
+             R"(study.json: unknown name "input" (it would have no effect); did you mean "inputs"?)"},
             {R"({"inputs": ["a.csv"], "output": "out", "output": "o"})",
              "study.json: gives \"output\" twice (only one of them could hold); keep one of the two"}},
            "{}");
@@ -55,34 +55,34 @@ TEST_F(StudyRefusals, OfWhatIsNoStudy) {
 
 TEST_F(StudyRefusals, OfInputs) {
     const std::string list = " cannot be used (a list of files is needed)" + example;
-    expect({{"[]", "study.json.inputs: []" + list},
-            {"\"a.csv\"", "study.json.inputs: \"a.csv\"" + list},
-            {"[7]", "study.json.inputs[0]: 7 is no object (keys and values are needed here)" + example},
-            {"[{}]",
-             "study.json.inputs[0]: {} cannot be used (it names no \"files\", \"manifest\" or \"cube\")" + example},
-            {"[\"no*.csv\"]",
-             "study.json.inputs[0].files: no file matches no*.csv (the study would lack its spectra); correct the "
-             "pattern, or name the folder of the data with --data"},
-            {"[\"a.csv\", \"?.csv\"]",
-             "study.json.inputs: name a.csv twice (its spectra would count twice); leave it out of one of them"},
-            {R"(["a.csv", {"manifest": "m.csv"}])",
-             "study.json.inputs: name a.csv twice (its spectra would count twice); leave it out of one of them"},
-            {R"([{"manifest": "none.csv"}])",
-             "none.csv: cannot be read (No such file or directory); check the name and the permission "
-             "to read it"},
-            {R"([{"files": []}])", "study.json.inputs[0].files: [] cannot be used (it names no file)" + example},
-            {R"([{"files": "a.csv", "units": "percent"}])",
-             "study.json.inputs[0]: unknown name \"units\" (it would have no effect); did you mean \"unit\"?"},
-            {R"([{"files": "a.csv", "manifest": "m.csv"}])",
-             "study.json.inputs[0]: {\"files\":\"a.csv\",\"manifest\":\"m.csv\"} cannot be used (it is two kinds of "
-             "input); make an input of each"},
-            {R"([{"files": "a.csv", "subject": "s"}])",
-             "study.json.inputs[0]: unknown name \"subject\" (it would have no effect)" + example},
-            {R"([{"files": "a.csv", "metadata": {"site": ["arm"]}}])",
-             "study.json.inputs[0].metadata.site: [\"arm\"] cannot be used (a word or a number is needed)" + example},
-            {R"([{"files": "a.csv", "metadata": "arm"}])",
-             "study.json.inputs[0].metadata: \"arm\" is no object (keys and values are needed here)" + example}},
-           "{{\"inputs\": {}, \"output\": \"out\"}}");
+    expect(
+        {{"[]", "study.json.inputs: []" + list},
+         {"\"a.csv\"", "study.json.inputs: \"a.csv\"" + list},
+         {"[7]", "study.json.inputs[0]: 7 is no object (keys and values are needed here)" + example},
+         {"[{}]", R"(study.json.inputs[0]: {} cannot be used (it names no "files", "manifest" or "cube"))" + example},
+         {"[\"no*.csv\"]",
+          "study.json.inputs[0].files: no file matches no*.csv (the study would lack its spectra); correct the "
+          "pattern, or name the folder of the data with --data"},
+         {R"(["a.csv", "?.csv"])",
+          "study.json.inputs: name a.csv twice (its spectra would count twice); leave it out of one of them"},
+         {R"(["a.csv", {"manifest": "m.csv"}])",
+          "study.json.inputs: name a.csv twice (its spectra would count twice); leave it out of one of them"},
+         {R"([{"manifest": "none.csv"}])",
+          "none.csv: cannot be read (No such file or directory); check the name and the permission "
+          "to read it"},
+         {R"([{"files": []}])", "study.json.inputs[0].files: [] cannot be used (it names no file)" + example},
+         {R"([{"files": "a.csv", "units": "percent"}])",
+          R"(study.json.inputs[0]: unknown name "units" (it would have no effect); did you mean "unit"?)"},
+         {R"([{"files": "a.csv", "manifest": "m.csv"}])",
+          "study.json.inputs[0]: {\"files\":\"a.csv\",\"manifest\":\"m.csv\"} cannot be used (it is two kinds of "
+          "input); make an input of each"},
+         {R"([{"files": "a.csv", "subject": "s"}])",
+          "study.json.inputs[0]: unknown name \"subject\" (it would have no effect)" + example},
+         {R"([{"files": "a.csv", "metadata": {"site": ["arm"]}}])",
+          "study.json.inputs[0].metadata.site: [\"arm\"] cannot be used (a word or a number is needed)" + example},
+         {R"([{"files": "a.csv", "metadata": "arm"}])",
+          "study.json.inputs[0].metadata: \"arm\" is no object (keys and values are needed here)" + example}},
+        R"({{"inputs": {}, "output": "out"}})");
 }
 
 TEST_F(StudyRefusals, OfPatternsOfNames) {
@@ -104,12 +104,12 @@ TEST_F(StudyRefusals, OfPatternsOfNames) {
 TEST_F(StudyRefusals, OfSettings) {
     expect(
         {{R"("accept": ["spike"])",
-          "study.json.accept: unknown name \"spike\" (it would have no effect); did you mean \"spikes\"?"},
+          R"(study.json.accept: unknown name "spike" (it would have no effect); did you mean "spikes"?)"},
          {R"("accept": [1])", "study.json.accept: 1 cannot be used (a word is needed); write it between double quotes"},
          {R"("group_by": [""])",
           "study.json.group_by: \"\" cannot be used (a word is needed); write it between double quotes"},
          {R"("fit": {"nois": 0.1})",
-          "study.json.fit: unknown name \"nois\" (it would have no effect); did you mean \"noise\"?"},
+          R"(study.json.fit: unknown name "nois" (it would have no effect); did you mean "noise"?)"},
          {R"("fit": {"instrument": "ncsu_45_0"}, "instrument": "ideal")",
           "study.json.instrument: is given by \"fit\" too (only one of them could hold); keep one of the two"}},
         R"({{"inputs": ["a.csv"], {}, "output": "out"}})");

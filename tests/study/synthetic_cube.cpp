@@ -52,7 +52,8 @@ SyntheticCube synthetic_cube(std::size_t samples, std::size_t lines, double nois
     const std::vector<double> normal = normal_numbers(seed, samples * lines * cube.wavelength_nm.size());
     for (std::size_t pixel = 0; pixel < samples * lines; ++pixel) {
         const double x = (static_cast<double>(pixel % samples) + 0.5) / static_cast<double>(samples);
-        const double y = (static_cast<double>(pixel / samples) + 0.5) / static_cast<double>(lines);
+        const auto line = pixel / samples;
+        const double y = (static_cast<double>(line) + 0.5) / static_cast<double>(lines);
         here.values.skin = skin_at(cube.configuration.values.skin, x, y);
         cube.truth.emplace_back();
         for (const Parameter parameter : free_parameters(here)) {

@@ -59,7 +59,7 @@ TEST(DarkerInOrder, NeedsEveryStepAtEveryWavelength) {
     EXPECT_EQ(darker_in_order(std::vector{flat(0.3), flat(0.1), flat(0.2)}).verdict, not_reproduced);
     SpectralCurve crossing = flat(0.2);
     crossing.value[7] = 0.3001;
-    const Finding finding = darker_in_order(std::vector{flat(0.3), crossing});
+    const ClaimFinding finding = darker_in_order(std::vector{flat(0.3), crossing});
     EXPECT_EQ(finding.verdict, not_reproduced);
     EXPECT_NEAR(finding.number, -0.0001, 1e-15);
     EXPECT_NE(finding.why.find("435 nm"), std::string::npos) << finding.why;
@@ -69,7 +69,7 @@ TEST(DarkerInOrder, IsNotDecidedByDifferencesWithinTheSolversError) {
     EXPECT_EQ(darker_in_order(std::vector{flat(0.3), flat(0.3 - solver_accuracy)}).verdict, not_reproduced);
     SpectralCurve touching = flat(0.2);
     touching.value[0] = 0.3 - solver_accuracy;
-    const Finding finding = darker_in_order(std::vector{flat(0.3), touching});
+    const ClaimFinding finding = darker_in_order(std::vector{flat(0.3), touching});
     EXPECT_EQ(finding.verdict, reproduced);
     EXPECT_NE(finding.why.find("1 of 61 drops"), std::string::npos) << finding.why;
 }
@@ -97,10 +97,10 @@ TEST(WDeepensInOrder, SaysWhetherAMeasurementWouldShowIt) {
 
 TEST(CloseToMeasured, IsTheRmseOfTheNearestCurve) {
     const Spectrum measured = measured_as(flat(0.3));
-    const Finding near = close_to_measured(std::vector{flat(0.5), flat(0.31)}, measured);
+    const ClaimFinding near = close_to_measured(std::vector{flat(0.5), flat(0.31)}, measured);
     EXPECT_EQ(near.verdict, reproduced);
     EXPECT_NEAR(near.number, 0.01, 1e-15);
-    const Finding far = close_to_measured(std::vector{flat(0.5), flat(0.32)}, measured);
+    const ClaimFinding far = close_to_measured(std::vector{flat(0.5), flat(0.32)}, measured);
     EXPECT_EQ(far.verdict, not_reproduced);
     EXPECT_NEAR(far.number, 0.02, 1e-15);
     EXPECT_NE(far.why.find("+0.020"), std::string::npos) << far.why;
@@ -121,7 +121,8 @@ TEST(MeasuredWithin, NeedsACurveOnEitherSide) {
     EXPECT_EQ(measured_within(curves, measured_as(flat(0.3))).verdict, reproduced);
     EXPECT_EQ(measured_within(curves, measured_as(flat(0.2))).verdict, reproduced);
     EXPECT_EQ(measured_within(curves, measured_as(flat(0.5))).verdict, not_reproduced);
-    const Finding slope = measured_within(curves, measured_as(curve_of([](double nm) { return nm / 1000.0 - 0.2; })));
+    const ClaimFinding slope =
+        measured_within(curves, measured_as(curve_of([](double nm) { return nm / 1000.0 - 0.2; })));
     EXPECT_EQ(slope.verdict, not_reproduced);
     EXPECT_NEAR(slope.number, 41.0 / 61.0, 1e-15);  // 400 to 600 nm
 }
@@ -189,7 +190,7 @@ TEST(MoreDirectional, NeedsAGrowthBeyondTheNoise) {
 TEST(NearLambertian, SeesALobeThatTheMeanOverAzimuthHides) {
     AngularCurve curve = lobe_of(45.0, [](double) { return 0.1; });
     for (BrdfValue& value : curve.backward) value.per_sr *= 1.2;
-    const Finding finding = near_lambertian(std::vector{curve});
+    const ClaimFinding finding = near_lambertian(std::vector{curve});
     EXPECT_EQ(finding.verdict, not_reproduced);
     EXPECT_NEAR(finding.number, 0.2, 1e-14);
     EXPECT_NE(finding.why.find("backward"), std::string::npos) << finding.why;

@@ -78,7 +78,7 @@ TEST(Figures, UnknownNamesAreRefusedAndTheNearestNamed) {
     EXPECT_EQ(refusal(good()), "");
     Json json = good();
     json["panles"] = json["panels"];
-    expect_refusal(json, "f.json: unknown name \"panles\" (it would have no effect); did you mean \"panels\"?");
+    expect_refusal(json, R"(f.json: unknown name "panles" (it would have no effect); did you mean "panels"?)");
     json = good();
     json["panels"][1]["series"][0]["configuration"]["parameters"] = {{"oxygen_saturatoin", 1}};
     expect_refusal(json, "f.json.panels[1].series[0].configuration: parameters: unknown name \"oxygen_saturatoin\"");

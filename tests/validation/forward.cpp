@@ -44,8 +44,8 @@ TEST(ForwardValidation, AnAbsentMeasurementIsSaidAndSkipped) {
     const FigureResult result = run_figure(figure, quick);
     ASSERT_EQ(result.messages.size(), 1U);
     EXPECT_NE(result.messages[0].find("eyelid_transmittance_bierman_2011.txt"), std::string::npos);
-    const std::vector<Finding>& findings = result.panels[0].variants[0].findings;
-    EXPECT_EQ(std::ranges::count(findings, ClaimVerdict::skipped, &Finding::verdict), 2);
+    const std::vector<ClaimFinding>& findings = result.panels[0].variants[0].findings;
+    EXPECT_EQ(std::ranges::count(findings, ClaimVerdict::skipped, &ClaimFinding::verdict), 2);
     EXPECT_NE(summary_text({result}).find("skipped"), std::string::npos);
     EXPECT_TRUE(summary_json({result})["figures"][0]["claims"][4]["number"].is_null());
 }

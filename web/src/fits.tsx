@@ -3,7 +3,7 @@ import {api} from "./api";
 import {download} from "./download";
 import type {OpenFile} from "./measured";
 import {Settings, type Change} from "./parameters";
-import {inWords, shown, withSigma} from "./scale";
+import {counted, inWords, shown, withSigma} from "./scale";
 import {configurationOf, withFitted, type Model} from "./state";
 import type {FitState, FittedParameter, Measured, Report, Vocabulary} from "./types";
 
@@ -88,7 +88,7 @@ export function Fits(props: FitsProps) {
             <p class="hint">
                 {target.spectra.length === 0
                     ? "Tick a measured spectrum; the parameters ticked “fit” are adjusted until the model explains it."
-                    : `Explains ${target.spectra.map(({name}) => name).join(" and ")} by ${model.free.length} parameters, ` +
+                    : `Explains ${target.spectra.map(({name}) => name).join(" and ")} by ${counted(model.free.length, "parameter")}, ` +
                       "starting from the sliders. Several spectra are explained together, as one specimen."}
             </p>
             <details>

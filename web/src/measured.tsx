@@ -1,5 +1,6 @@
 import {useRef, useState} from "preact/hooks";
 import {api} from "./api";
+import {counted} from "./scale";
 import type {MeasuredFile} from "./types";
 
 /// A file that is shown, and which of its spectra are.
@@ -24,7 +25,7 @@ export function MeasuredFiles({files, setFiles, say, onError}: MeasuredProps) {
             try {
                 const found = await api.read(file.name, await file.arrayBuffer());
                 setFiles((all) => [...all, opened(found)]);
-                say(`${file.name}: ${found.measured.length} spectra, ${found.findings.length} findings`);
+                say(`${file.name}: ${counted(found.measured.length, "spectrum", "spectra")}, ${counted(found.findings.length, "finding")}`);
             } catch (error) {
                 onError(error);
             }
@@ -65,7 +66,7 @@ export function MeasuredFiles({files, setFiles, say, onError}: MeasuredProps) {
                     </ul>
                     {file.findings.length > 0 && (
                         <details open={file.findings.some((each) => each.severity === "warning")}>
-                            <summary>{file.findings.length} findings</summary>
+                            <summary>{counted(file.findings.length, "finding")}</summary>
                             <ul>
                                 {file.findings.map((each) => (
                                     <li class={each.severity}><strong>{each.spectrum}: {each.message}</strong> {each.remedy}</li>

@@ -46,6 +46,9 @@ export function withSigma(value: number, sigma: number): string {
 /// A name as there is room for it.
 export const shortened = (name: string, most = 36): string => (name.length <= most ? name : `${name.slice(0, most - 1)}…`);
 
+/// "1 finding", "2 findings".
+export const counted = (count: number, one: string, more = `${one}s`): string => `${count} ${count === 1 ? one : more}`;
+
 const units: {[unit: string]: string} = {"g/L": "_g_per_l", cm: "_cm", nm: "_nm"};
 
 /// A parameter's or setting's name in words, without the unit that stands beside it.

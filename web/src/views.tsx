@@ -4,7 +4,7 @@ import type {Fit} from "./fits";
 import {Following} from "./following";
 import type {OpenFile} from "./measured";
 import {Plot, type Curve} from "./plot";
-import {inWords, shortened} from "./scale";
+import {counted, inWords, shortened} from "./scale";
 import type {Model} from "./state";
 import type {Colour, Sensitivity, Simulation, Vocabulary} from "./types";
 
@@ -88,7 +88,7 @@ function SpectrumView({simulation, files, fits, onDrawn}: ViewsProps) {
     const {wavelength_nm: nm, reading} = simulation;
     const description = `${simulation.quantity} of the model from ${nm[0]} to ${nm.at(-1)} nm: ` +
         `${percent(reading[0]!)} at the short end, ${percent(reading.at(-1)!)} at the long end, ` +
-        `with ${curves.length - 1} other curves`;
+        `with ${counted(curves.length - 1, "other curve")}`;
     return <Plot curves={curves} yLabel={simulation.quantity} description={description} fromZero onDrawn={onDrawn} />;
 }
 
