@@ -23,6 +23,9 @@ TEST_P(CubeMemory, StaysBelow300MegabytesForACubeOfOneGigabyte) {
     const CubeMean mean = mean_spectrum(cube, CubeRegion({}, cube));
     EXPECT_EQ(mean.pixels, 1'000'000U);
     EXPECT_EQ(mean.value, std::vector<double>(125, 0.0));
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "the address sanitizer keeps what was given back";
+#endif
     struct rusage used {};
     ASSERT_EQ(::getrusage(RUSAGE_SELF, &used), 0);
     const long kibibytes = used.ru_maxrss;
