@@ -49,6 +49,12 @@ protected:
     DiskCache cache_;
 };
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr double slowest_answer_s = 20.0;  // all takes ten times as long
+#else
+constexpr double slowest_answer_s = 2.0;
+#endif
+
 TEST_F(Cancelling, EndsTheMakingOfAModelAndKeepsNoPartOfIt) {
     for (const Slow& slow : slow_ones) {
         std::stop_source stop;
@@ -69,7 +75,7 @@ TEST_F(Cancelling, EndsTheMakingOfAModelAndKeepsNoPartOfIt) {
         const std::chrono::duration<double> late = Clock::now() - *asked;
         EXPECT_EQ(stage, "preparing the model") << slow.name;
         // 0.2 s are meant; a busy machine may add to that, and without cancelling there is much more to go.
-        EXPECT_LT(late.count(), 2.0) << slow.name;
+        EXPECT_LT(late.count(), slowest_answer_s) << slow.name;
         RecordProperty(std::string(slow.name) + "_late_ms", static_cast<int>(1000.0 * late.count()));
         EXPECT_EQ(entries(), 0) << slow.name;
     }
