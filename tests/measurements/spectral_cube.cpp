@@ -47,7 +47,7 @@ TEST_F(Cube, EveryInterleaveTypeAndByteOrderGivesTheSameNumbers) {
     for (const std::string interleave : {"bsq", "bil", "bip"}) {
         for (const int data_type : {1, 2, 3, 4, 5, 12, 13, 14, 15}) {
             for (const bool most_significant_first : {false, true}) {
-                for (const std::size_t offset : {0, 7}) {
+                for (const std::size_t offset : {0U, 7U}) {
                     SCOPED_TRACE(testing::Message() << interleave << " type " << data_type << " order "
                                                     << most_significant_first << " offset " << offset);
                     const MadeCube made{.interleave = interleave,
