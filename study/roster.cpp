@@ -64,7 +64,7 @@ std::optional<Metadata> metadata_of_name(const NamePattern& pattern, const std::
     }
     Metadata metadata;
     for (std::size_t i = 0; i < pattern.fields.size(); ++i) {
-        metadata.emplace_back(pattern.fields[i], found[static_cast<int>(i) + 1].str());
+        metadata.emplace_back(pattern.fields[i], found[i + 1].str());
     }
     return metadata;
 }
