@@ -106,7 +106,7 @@ ScalingPlot against_rays() {
     PlotLine analog{.label = "analog walk, one evaluation", .x = {}, .y = {}};
     PlotLine recording{.label = "recording, once", .x = {}, .y = {}};
     PlotLine evaluation{.label = "recorded paths, one evaluation", .x = {}, .y = {}};
-    for (const std::uint64_t rays : {1000, 3200, 10'000, 32'000, 100'000}) {
+    for (const std::uint64_t rays : {1000U, 3200U, 10'000U, 32'000U, 100'000U}) {
         const FitProblem problem = bench_work(1, rays).problem;
         const double size = std::log10(static_cast<double>(rays));
         const Objective objective(problem, recorded(problem));

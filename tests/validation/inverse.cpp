@@ -34,7 +34,8 @@ TEST(InverseStudy, FiftySpectraOfTheSolverAreRecoveredByTheEmulator) {
     const RecoverySummary summary = summarised(found.spectra, found.free);
     EXPECT_EQ(summary.not_converged, 0U);
     EXPECT_GE(summary.best_minimum.agreeing, 49U);
-    EXPECT_EQ(summary.not_mixed, 0U);
+    // Of 1000 such posteriors 27 had not mixed (docs/inverse.md): ten or more of 50 have a probability below 1e-6.
+    EXPECT_LE(summary.not_mixed, 9U);
     for (const ParameterRecovery& row : summary.parameters) {
         const std::string_view name = info(row.parameter).name;
         for (const UncertaintyMethod method : {UncertaintyMethod::profile, UncertaintyMethod::posterior}) {
