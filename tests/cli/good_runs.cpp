@@ -124,7 +124,7 @@ TEST_F(GoodRuns, WhatIsSimulatedIsFound) {
           std::pair{"bilirubin_g_per_l", 0.4}, std::pair{"papillary_blood_fraction", 0.012}}) {
         const Json& found = json["parameters"][name];
         const double width = found["upper"].get<double>() - found["lower"].get<double>();
-        EXPECT_NEAR(found["value"].get<double>(), value, 1e-8 * width) << name;
+        EXPECT_NEAR(found["value"].get<double>(), value, 1e-9 * width) << name;
     }
 }
 

@@ -22,7 +22,7 @@ TEST_F(ViewingRuns, TheConeGoesFromTheSimulationThroughItsFileIntoTheReport) {
     const Json json = Json::parse(run(as_json).out);
     EXPECT_EQ(json["configuration"]["viewing_cone_deg"], 5.0);
     // All digits are in the file: what is left is the solver's step tolerance, 1e-9 of the bounds.
-    EXPECT_NEAR(json["parameters"]["melanosome_fraction"]["value"].get<double>(), 0.03, 0.5e-8);
+    EXPECT_NEAR(json["parameters"]["melanosome_fraction"]["value"].get<double>(), 0.03, 0.5e-9);
 }
 
 TEST_F(ViewingRuns, EnginesThatCannotAreRefused) {
