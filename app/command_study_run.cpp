@@ -168,7 +168,7 @@ void add_study_run_command(CLI::App& study, Session& session) {
         {"skinfit study run configs/study_example.json",
          "skinfit study run configs/study_example.json --part 1/2 --ledger part_1.sqlite"},
         "Exit code 0: every spectrum is fitted; 1: some are suspect, rejected, failed or pending; 2: bad input; 3: "
-        "internal error. Under mpirun 0 stands for 1 too.");
+        "internal error; 130: ended by Ctrl-C, to go on with later. Under mpirun 0 stands for 1 and 130 too.");
     run_app->callback([run, &session] { session.exit_code = run_it(*run, session); });
 }
 

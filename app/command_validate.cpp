@@ -118,7 +118,7 @@ void add_validate_command(CLI::App& app, Session& session) {
     add_examples(*forward,
                  {"skinfit validate forward", "skinfit validate forward --figures 3,4 --output figures",
                   "skinfit validate forward --figures 7 --rays 20000 --format json"},
-                 "Exit code 0: done, whatever the verdicts; 2: bad input; 3: internal error.");
+                 "Exit code 0: done, whatever the verdicts; 2: bad input; 3: internal error; 130: ended by Ctrl-C.");
     forward->callback([command, &session] { session.exit_code = run(*command, session); });
     add_validate_inverse_command(*validate, session);
 }

@@ -125,7 +125,7 @@ void add_validate_inverse_command(CLI::App& validate, Session& session) {
         *inverse,
         {"skinfit validate inverse --spectra 20 --intervals covariance",
          "skinfit validate inverse --spectra 200 --intervals covariance,profile --set noise=0.006 --output recovery"},
-        "Exit code 0: the study passes; 1: something failed; 2: bad input; 3: internal error.");
+        "Exit code 0: the study passes; 1: something failed; 2: bad input; 3: internal error; 130: ended by Ctrl-C.");
     inverse->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 

@@ -4,8 +4,10 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <stdexcept>
 #include <system_error>
 
 #include "app/option_limits.hpp"
@@ -13,6 +15,7 @@
 #include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "fit/configuration_json.hpp"
+#include "fit/settings.hpp"
 #include "measurements/spectrum_file.hpp"
 
 namespace skinfit {
@@ -79,7 +82,9 @@ CLI::Option* add_quiet_option(CLI::App& command, Session& session) {
 }
 
 std::string unless_configured(const std::string& setting) {
-    const Json value = to_json(default_configuration())[setting];
+    const auto found = std::ranges::find(setting_table(), setting, &Setting::name);
+    if (found == setting_table().end()) throw std::logic_error(setting + " is not a setting");
+    const Json value = found->write(default_configuration());
     return fmt::format("; {} if not configured", value.is_string() ? value.get<std::string>() : value.dump());
 }
 
