@@ -81,13 +81,6 @@ void take_set(Configuration& configuration, const Json& word, const std::string&
     }
 }
 
-std::vector<std::string_view> known_names() {
-    std::vector<std::string_view> names;
-    for (const ParameterInfo& row : parameter_table()) names.push_back(row.name);
-    for (const DerivedInfo& row : derived_table()) names.push_back(row.name);
-    return names;
-}
-
 std::optional<Prior>* prior_of(Configuration& configuration, std::string_view name) {
     if (const std::optional<Parameter> parameter = find_parameter(name)) {
         return &configuration.priors[static_cast<std::size_t>(*parameter)];
@@ -123,6 +116,13 @@ Json to_json(const Prior& prior) {
 
 }  // namespace
 
+std::vector<std::string_view> prior_names() {
+    std::vector<std::string_view> names;
+    for (const ParameterInfo& row : parameter_table()) names.push_back(row.name);
+    for (const DerivedInfo& row : derived_table()) names.push_back(row.name);
+    return names;
+}
+
 void read_priors(Configuration& configuration, const Json& value, const std::string& where) {
     if (value.is_string()) {
         take_set(configuration, value, where);
@@ -133,14 +133,14 @@ void read_priors(Configuration& configuration, const Json& value, const std::str
     for (const auto& [name, entry] : value.items()) {
         if (name == "set") continue;
         std::optional<Prior>* const prior = prior_of(configuration, name);
-        if (prior == nullptr) refuse_unknown(where, name, known_names());
+        if (prior == nullptr) refuse_unknown(where, name, prior_names());
         *prior = read_prior(entry, fmt::format("{}.{}", where, name));
     }
 }
 
 Json write_priors(const Configuration& configuration) {
     Json json = {{"set", "uniform"}};
-    for (const std::string_view name : known_names()) {
+    for (const std::string_view name : prior_names()) {
         Configuration copy = configuration;
         const std::optional<Prior>& prior = *prior_of(copy, name);
         if (prior) json[std::string(name)] = to_json(*prior);
@@ -167,7 +167,7 @@ Json priors_schema() {
                            {"additionalProperties", false}});
     }
     Json properties = {{"set", {{"enum", sets}}}};
-    for (const std::string_view name : known_names()) properties[std::string(name)] = {{"anyOf", choices}};
+    for (const std::string_view name : prior_names()) properties[std::string(name)] = {{"anyOf", choices}};
     const Json object = {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
     return {{"anyOf", Json::array({Json{{"enum", sets}}, object})}};
 }

@@ -1,10 +1,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "fit/settings.hpp"
 
 namespace skinfit {
+
+/// What can have a prior: the names of all parameters, then of all derived quantities.
+[[nodiscard]] std::vector<std::string_view> prior_names();
 
 /// Changes the priors of `configuration` by a word (`uniform`, `physiological`) or by an object that maps names of
 /// parameters and derived quantities to one of

@@ -5,19 +5,13 @@
 #include "fit/configuration_json.hpp"
 #include "fit/json_reading.hpp"
 #include "fit/prior.hpp"
+#include "fit/prior_json.hpp"
 
 namespace skinfit {
 namespace {
 
 const std::string example =
     R"(write it as in {"melanosome_fraction": {"kind": "log_normal", "median": 0.05, "sigma_log": 0.5}})";
-
-std::vector<std::string_view> known_names() {
-    std::vector<std::string_view> names;
-    for (const ParameterInfo& row : parameter_table()) names.push_back(row.name);
-    for (const DerivedInfo& row : derived_table()) names.push_back(row.name);
-    return names;
-}
 
 /// One entry as the configuration takes it: the prior, and the limits taken out of it.
 struct Entry {
@@ -60,7 +54,7 @@ Configuration with_parameter(Configuration configuration, Parameter parameter, c
 }  // namespace
 
 Configuration with_population(Configuration configuration, const Json& population, const std::string& where) {
-    const std::vector<std::string_view> known = known_names();
+    const std::vector<std::string_view> known = prior_names();
     require_object(population, where, example);
     for (const auto& [name, value] : population.items()) {
         if (std::ranges::find(known, name) == known.end()) refuse_unknown(where, name, known);

@@ -50,9 +50,7 @@ TEST(CriticalRoot, LeavesFivePercentOfMeasurementsOutside) {
 
 TEST(Profile, OfALinearModelIs196SigmaFarFromBounds) {
     const LinearExample example;
-    const VectorXd& centre = example.centre;
-    const MatrixXd& covariance = example.covariance;
-    const Profile& profile = example.profile;
+    const auto& [jacobian, centre, covariance, profile] = example;
     for (Eigen::Index i = 0; i < 2; ++i) {
         const ProfileInterval& found = profile.intervals[static_cast<std::size_t>(i)];
         const double reach = normal_95 * std::sqrt(covariance(i, i));

@@ -52,9 +52,7 @@ void expect_profile(const ProfileInterval& interval, const Bounds& bounds) {
 
 TEST(ProfileCurve, OfALinearModelIsTheParabolaOfItsCovariance) {
     const LinearExample example;
-    const VectorXd& centre = example.centre;
-    const MatrixXd& covariance = example.covariance;
-    const Profile& profile = example.profile;
+    const auto& [jacobian, centre, covariance, profile] = example;
     for (Eigen::Index i = 0; i < 2; ++i) {
         const ProfileInterval& found = profile.intervals[static_cast<std::size_t>(i)];
         expect_profile(found, {0.0, 1.0});

@@ -10,6 +10,7 @@
 #include "model/angular_solver.hpp"
 #include "model/chromophores.hpp"
 #include "tests/model/angular_samples.hpp"
+#include "tests/model/physiological_box.hpp"
 
 namespace skinfit::test {
 namespace {
@@ -21,11 +22,7 @@ EmulatorDomain physiological(const Sample& sample, double incidence_rad, Side si
             .incidence_rad = incidence_rad,
             .side = side,
             .wavelengths_nm = wavelengths_nm,
-            .ranges = {{Parameter::melanosome_fraction, 0, 0.5},
-                       {Parameter::papillary_blood_fraction, 0, 0.3},
-                       {Parameter::reticular_blood_fraction, 0, 0.3},
-                       {Parameter::oxygen_saturation, 0, 1},
-                       {Parameter::bilirubin_g_per_l, 0, 3}}};
+            .ranges = physiological_box};
 }
 
 /// Specimen `number` of a low-discrepancy sequence in the domain; other numbers than those that certify.

@@ -11,6 +11,7 @@
 #include "model/chromophores.hpp"
 #include "model/constants.hpp"
 #include "model/emulator.hpp"
+#include "tests/model/physiological_box.hpp"
 
 namespace skinfit::test {
 namespace {
@@ -59,11 +60,7 @@ TEST_P(EmulatorCertificate, HoldsOnSobolPointsOfThePhysiologicalBox) {
                                 .incidence_rad = geometry.incidence_deg * rad_per_deg,
                                 .side = geometry.side,
                                 .wavelengths_nm = {400, 420, 450, 480, 510, 540, 560, 580, 620, 660, 700},
-                                .ranges = {{Parameter::melanosome_fraction, 0, 0.5},
-                                           {Parameter::papillary_blood_fraction, 0, 0.3},
-                                           {Parameter::reticular_blood_fraction, 0, 0.3},
-                                           {Parameter::oxygen_saturation, 0, 1},
-                                           {Parameter::bilirubin_g_per_l, 0, 3}}};
+                                .ranges = physiological_box};
     const Emulator emulator = Emulator::build(domain);
     std::vector<Skin> skins;
     constexpr int points = 1000;
