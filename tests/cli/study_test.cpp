@@ -13,7 +13,7 @@ void StudyTest::SetUp() {
     put("spectra.csv", spectra_text(spectra));
 }
 
-std::string StudyTest::spectra_text(int spectra) {
+std::string StudyTest::spectra_text(int count) {
     const Spectrum skin =
         read_spectrum(std::filesystem::path(SKINFIT_SOURCE_DIR) / "measurements" / "data" / "ncsu_113.csv");
     constexpr std::size_t every = 5;  // 10 nm
@@ -21,7 +21,7 @@ std::string StudyTest::spectra_text(int spectra) {
     for (std::size_t i = 0; i < skin.wavelength_nm.size(); i += every)
         text += fmt::format(",{}", skin.wavelength_nm[i]);
     text += "\n";
-    for (int k = 0; k < spectra; ++k) {
+    for (int k = 0; k < count; ++k) {
         text += fmt::format("s{}", k + 1);
         // Darker and darker, as more melanin makes it: more so at short wavelengths.
         for (std::size_t i = 0; i < skin.wavelength_nm.size(); i += every) {

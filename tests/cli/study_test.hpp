@@ -13,7 +13,7 @@ protected:
     void SetUp() override;
 
     /// A table with a spectrum in each row, all different.
-    [[nodiscard]] static std::string spectra_text(int spectra);
+    [[nodiscard]] static std::string spectra_text(int count);
 
     /// Writes a study of `inputs` (JSON) to `name`.json with the output folder `name`.
     void put_study(const std::string& name, const std::string& inputs, const std::string& more = "") const;

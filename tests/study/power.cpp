@@ -37,7 +37,7 @@ TEST(Power, ForManySubjectsItIsThatOfTheNormalTest) {
 }
 
 TEST(Power, TheDetectableDifferenceIsFoundWithThePowerAsked) {
-    for (const std::size_t subjects : {2, 3, 10, 200}) {
+    for (const std::size_t subjects : {2U, 3U, 10U, 200U}) {
         for (const double power : {0.06, 0.5, 0.8, 0.99}) {
             const double difference = detectable_difference(unit, subjects, power).value();
             EXPECT_NEAR(power_of(unit, subjects, difference), power, 1e-9);
@@ -75,7 +75,7 @@ TEST(Power, ShrunkEstimatesNeedALargerDifference) {
 }
 
 TEST(Power, HugeDifferencesAreCertain) {
-    for (const std::size_t subjects : {2, 3, 100, 1'000'000}) {
+    for (const std::size_t subjects : {2U, 3U, 100U, 1'000'000U}) {
         for (const double difference : {1e3, 1e6, 1e12}) EXPECT_EQ(power_of(unit, subjects, difference), 1.0);
     }
 }

@@ -74,7 +74,7 @@ double area_under(const std::vector<OperatingPoint>& curve) {
 constexpr double rounding = 1e-13;  // of sums of some hundred terms of order 1
 
 TEST(Roc, TheAreaIsThatOfMannAndWhitneyAndItsErrorThatOfTheStructuralComponents) {
-    for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
         const RocAnalysis found = roc_analysis(example(seed));
         const ByDefinition expected = by_definition(example(seed));
         ASSERT_TRUE(found.area);
@@ -204,7 +204,7 @@ TEST(Roc, OneClassHasNoAreaAndAReason) {
 
 /// [WILSON27]'s ends solve |share - p| = z sqrt(p (1 - p) / n).
 TEST(ProportionInterval, ItsEndsAreWilsons) {
-    for (const std::size_t count : {0, 1, 7, 19, 20}) {
+    for (const std::size_t count : {0U, 1U, 7U, 19U, 20U}) {
         const Proportion found = proportion(count, 20);
         for (const double p : {found.interval_95.lower, found.interval_95.upper}) {
             EXPECT_NEAR(std::pow(found.share() - p, 2), std::pow(1.959963984540054, 2) * p * (1.0 - p) / 20, 1e-15);

@@ -231,7 +231,7 @@ TEST(StudyCoverage, Power) {
     for (std::uint64_t study = 0; study < studies; ++study) {
         std::array<double, 2> mean{};
         double within = 0.0;
-        for (const std::size_t group : {0, 1}) {
+        for (const std::size_t group : {0U, 1U}) {
             double sum = 0.0;
             double sum_of_squares = 0.0;
             for (std::size_t i = 0; i < subjects; ++i) {

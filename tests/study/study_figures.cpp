@@ -112,7 +112,7 @@ TEST_F(StudyFigures, PowerIsShownForEveryDesign) {
     const TwoGroupDesign design{.between_subject_sd = 0.05, .measurement_sd = 0.06};
     TwoGroupDesign repeated = design;
     repeated.repeats = 4;
-    for (const std::size_t most : {3, 500}) {
+    for (const std::size_t most : {3U, 500U}) {
         expect_holds(svg_of(power_figure({{.name = "once", .design = design}, {.name = "4 times", .design = repeated}},
                                          0.8, most, {.name = "bilirubin", .unit = "g/L"})),
                      {"once", "4 times", "subjects per group", "true difference of group means (g/L)", "80 %"});
