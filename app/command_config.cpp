@@ -9,7 +9,7 @@
 namespace skinfit {
 
 void add_config_command(CLI::App& app, Session& session) {
-    CLI::App* const config = app.add_subcommand("config", "show, check or describe configurations");
+    CLI::App* const config = app.add_subcommand("config", "show or check configurations, or print their schema");
     config->require_subcommand(1);
     config->add_subcommand("show", "print the full default configuration")->callback([&session] {
         write_stdout(json_text(to_json(default_configuration())));

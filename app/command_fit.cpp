@@ -184,19 +184,20 @@ void add_fit_command(CLI::App& app, Session& session) {
                     "spectrum: text of columns or rows, JCAMP-DX, CGATS (.ti3), JSON or ENVI; - is standard input; "
                     "several are explained together")
         ->required();
-    fit->add_option(
-           "--column", command->columns,
-           "of a file with several spectra: its name, or its number from 1; given again, one for each file, or "
-           "several of one file")
+    fit->add_option("--column", command->columns,
+                    "of a file with several spectra, which has no default: the name of one, or its number from 1; "
+                    "given again, one for each file, or "
+                    "several of one file")
         ->type_name("NAME")
         ->expected(1)
         ->take_all();
     add_reader_option(*fit, command->reader);
     add_region_options(*fit, command->region);
     fit->add_option("--unit", command->unit, "of the values; found by a rule otherwise")->type_name("fraction|percent");
-    add_names_option(*fit, "--free", command->free,
-                     "adjust these parameters too; `skinfit config show` lists their names");
-    add_names_option(*fit, "--fix", command->fix, "hold these parameters");
+    add_names_option(
+        *fit, "--free", command->free,
+        "adjust these parameters too, beside those that are free; `skinfit config show` lists all, and which are");
+    add_names_option(*fit, "--fix", command->fix, "hold these parameters at their configured value");
     add_names_option(*fit, "--own", command->own,
                      "adjust these parameters, with a value of its own in each of several spectra");
     fit->add_option("--uncertainty", command->uncertainty,
@@ -204,7 +205,8 @@ void add_fit_command(CLI::App& app, Session& session) {
                     "all parameters)" +
                         unless_configured("uncertainty"))
         ->type_name("covariance|profile|posterior");
-    fit->add_option("--samples", command->samples, "write the draws of the posterior to this file, as CSV")
+    fit->add_option("--samples", command->samples,
+                    "write the draws of the posterior to this file, as CSV; needs --uncertainty posterior")
         ->type_name("FILE");
     fit->add_option("--report", command->report, "write the whole result to this file, as one self-contained HTML page")
         ->type_name("FILE");
@@ -227,7 +229,8 @@ void add_fit_command(CLI::App& app, Session& session) {
          "skinfit fit measurements/data/ncsu_113.csv --free scale --fix bilirubin_g_per_l --format json --out fit.json",
          "skinfit fit measurements/data/ncsu_113.csv --set engine=emulator --uncertainty profile",
          "skinfit simulate --set melanosome_fraction=0.03 | skinfit fit - --column reflectance"},
-        "Exit code 0: trustworthy; 1: a result with a warning; 2: bad input; 3: internal error; 130: ended by Ctrl-C.");
+        "Exit code 0: trustworthy; 1: suspect or failed, as the verdict says; 2: bad input; 3: internal error; 130: "
+        "ended by Ctrl-C.");
     fit->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 

@@ -190,7 +190,7 @@ void add_gonio_command(CLI::App& app, Session& session) {
         ->add_option("--response", command->response,
                      "multiply the illuminant by the response in this file, lines of wavelength_nm,response")
         ->type_name("FILE");
-    gonio->add_option("--rays", command->rays, fmt::format("per wavelength; {} if not given", enough_rays))
+    gonio->add_option("--rays", command->rays, fmt::format("per wavelength; {} if not configured", enough_rays))
         ->type_name("N");
     gonio->add_option("--seed", command->seed, "of the random numbers" + unless_configured("seed"))->type_name("N");
     number(gonio->add_option("--polar-step", command->polar_step_deg, "width of the bins of the polar angle"), 0.5,

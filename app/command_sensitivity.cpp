@@ -49,7 +49,7 @@ void add_sensitivity_command(CLI::App& app, Session& session) {
     CLI::App* const sensitivity =
         app.add_subcommand("sensitivity", "compute how the reading answers to each parameter, by wavelength");
     add_wavelengths_option(*sensitivity, command->wavelengths);
-    sensitivity->add_option("--quantity", command->quantity, "reflectance where it is not given")
+    sensitivity->add_option("--quantity", command->quantity, "what is read; reflectance if not configured")
         ->type_name("reflectance|transmittance");
     sensitivity->add_flag("--relative", command->relative,
                           "each derivative times the value of its parameter, instead of per unit");

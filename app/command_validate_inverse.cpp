@@ -103,8 +103,9 @@ void add_validate_inverse_command(CLI::App& validate, Session& session) {
     whole_number(inverse->add_option("--spectra", command->spectra, "how many skins are drawn from the priors"), 1,
                  1'000'000)
         ->capture_default_str();
-    inverse->add_option("--seed", command->seed, "of skins, noise, starts and chains")->type_name("N");
-    inverse->add_option("--engine", command->engine, "of the fits; emulator by default")
+    inverse->add_option("--seed", command->seed, "of skins, noise, starts and chains; 1 if not configured")
+        ->type_name("N");
+    inverse->add_option("--engine", command->engine, "of the fits; emulator if not configured")
         ->type_name("emulator|paths|solver");
     one_of(inverse->add_option(
                "--simulate-by", command->simulate_by,

@@ -7,13 +7,15 @@ namespace skinfit {
 
 void add_region_options(CLI::App& command, RegionOptions& options) {
     command
-        .add_option("--mask", options.mask,
-                    "of an ENVI cube, average the pixels that are not 0 in this ENVI, GeoTIFF or PNG file")
+        .add_option(
+            "--mask", options.mask,
+            "of an ENVI cube, average the pixels that are not 0 in this ENVI, GeoTIFF or PNG file; all if not given")
         ->type_name("FILE");
     command
-        .add_option(
-            "--rectangle", options.rectangle,
-            "of an ENVI cube, average the pixels in this rectangle, counted from 0 at the first line and sample")
+        .add_option("--rectangle", options.rectangle,
+                    "of an ENVI cube, average the pixels in this rectangle; X counts samples (columns), Y lines "
+                    "(rows), both from "
+                    "0; all if not given")
         ->type_name("X,Y,WIDTH,HEIGHT");
 }
 

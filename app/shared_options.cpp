@@ -96,7 +96,9 @@ void add_wavelengths_option(CLI::App& command, std::string& wavelengths, const s
 }
 
 void add_reader_option(CLI::App& command, std::string& reader) {
-    command.add_option("--reader", reader, "the form of FILE, where it is not recognised")
+    command
+        .add_option("--reader", reader,
+                    "read FILE in this form, whatever it looks like; recognised by its content if not given")
         ->type_name(fmt::format("{}", fmt::join(reader_names(), "|")));
 }
 

@@ -14,7 +14,7 @@ CLI::App* add_study_subcommand(CLI::App& study, StudyOptions& options, const std
         ->type_name("FOLDER");
     command
         ->add_option("--ledger", options.ledger,
-                     "keep the results in this database instead of in the study's output folder")
+                     "database of the study's results; ledger.sqlite in its output folder if not given")
         ->type_name("FILE");
     return command;
 }

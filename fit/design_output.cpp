@@ -29,9 +29,12 @@ std::string others(const Design& design) {
 std::string design_text(const Design& design) {
     const ParameterInfo& row = info(design.parameter);
     std::string text =
-        fmt::format("{} around {:.6g} {}, noise {:g}, {} wavelengths from {:g} to {:g} nm\n", row.name, design.value,
-                    row.unit.empty() ? "(fraction)" : row.unit, design.configuration.noise, design.wavelength_nm.size(),
+        fmt::format("{} around {:.6g}{}{}, noise {:g}, {} wavelengths from {:g} to {:g} nm\n", row.name, design.value,
+                    row.unit.empty() ? "" : " ", row.unit, design.configuration.noise, design.wavelength_nm.size(),
                     design.wavelength_nm.front(), design.wavelength_nm.back());
+    if (design.configuration.discrepancy) {
+        text += "of noise alone: the discrepancy is not counted, so a fit with it finds less\n";
+    }
     text += fmt::format("  {:<44}{:>12}{:>18}\n", "", "1 sigma", "detection limit");
     text += limit_row("others free", design.others_free);
     text += limit_row("others fixed", design.others_fixed);
@@ -39,7 +42,8 @@ std::string design_text(const Design& design) {
         text += limit_row(fmt::format("others free, best {} wavelengths", design.best_nm.size()), *design.by_best);
         text += fmt::format("best wavelengths: {} nm\n", fmt::join(design.best_nm, ", "));
     }
-    text += fmt::format("others, each known beforehand only to lie within its bounds:{}\n", others(design));
+    text += fmt::format("others, each known beforehand as its prior says, else only to lie within its bounds:{}\n",
+                        others(design));
     text +=
         fmt::format("detection limit: {:.3f} sigma, found in 80 % of spectra by a one-sided test at the 5 % level\n",
                     detection_factor());

@@ -176,6 +176,13 @@ Diagnosis diagnose(const FitResult& result) {
                             (result.monte_carlo_error / result.median_sigma / monte_carlo_share) *
                             (result.monte_carlo_error / result.median_sigma / monte_carlo_share)));
     }
+    if (result.emulator_error.value_or(0.0) > monte_carlo_share * result.median_sigma) {
+        reasons.push_back(
+            fmt::format("EMULATOR TOO COARSE: its certified error of {:.5f} exceeds half the noise of {:.5f}; narrow "
+                        "the bounds, or "
+                        "set engine=solver",
+                        *result.emulator_error, result.median_sigma));
+    }
     judge_end(result, reasons);
     judge_sampling(result, reasons);
     judge_solvers(result, reasons);

@@ -91,14 +91,14 @@ std::vector<std::string> priors_in_words(const FitProblem& problem) {
 }
 
 std::vector<FittedParameter> free_rows(const FitProblem& problem, const Minimum& minimum,
-                                       const Uncertainty& uncertainty, const Configuration& configuration) {
+                                       const Uncertainty& uncertainty) {
     std::vector<FittedParameter> rows;
     for (std::size_t i = 0; i < problem.free.size(); ++i) {
         const FreeParameter& free = problem.free[i];
         rows.push_back({.parameter = free.parameter,
                         .name = name_of(free),
                         .value = minimum.values[i],
-                        .start = value_of(configuration.values, free.parameter),
+                        .start = free.start,
                         .bounds = free.bounds,
                         .uncertainty = uncertainty.parameters[i]});
     }
@@ -165,7 +165,7 @@ FitResult fit_spectra(const Configuration& configuration, std::span<const Spectr
     result.findings = options.findings;
     describe_misfit(objective, minimum, spectra, result);
     add_model_band(model_band(objective, inference), result.spectra);
-    result.free = free_rows(problem, minimum, inference.uncertainty, configuration);
+    result.free = free_rows(problem, minimum, inference.uncertainty);
     result.fixed = fixed_rows(configuration);
     result.correlation = inference.uncertainty.correlation;
     result.identifiability = inference.identifiability;

@@ -40,10 +40,11 @@ void take_data(Measurement& measurement, const Configuration& configuration, con
         if (!configuration.weights.empty()) measurement.weight.push_back(weight_at(wavelength_nm, configuration));
     }
     if (measurement.wavelength_nm.empty()) {
-        throw InputError({.where = "exclude_nm",
-                          .problem = "leaves no wavelength of the window",
-                          .why = "there is nothing to fit",
-                          .remedy = "exclude less"});
+        const bool excluded = !configuration.exclude_nm.empty();
+        throw InputError({.where = excluded ? "exclude_nm" : "wavelength_min_nm, wavelength_max_nm",
+                          .problem = excluded ? "leaves no wavelength of the window" : "leave no wavelength",
+                          .why = excluded ? "there is nothing to fit" : "the file has none between them",
+                          .remedy = excluded ? "exclude less, or widen the window" : "widen the window"});
     }
     const bool constant =
         std::ranges::adjacent_find(measurement.measured, std::not_equal_to<>{}) == measurement.measured.end();

@@ -1,9 +1,12 @@
 #include "fit/noise_model.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <cassert>
 #include <cmath>
+
+#include "core/input_error.hpp"
 
 namespace skinfit {
 namespace {
@@ -35,8 +38,12 @@ NoiseModel::NoiseModel(std::span<const double> wavelength_nm, std::span<const do
     Eigen::MatrixXd matrix = covariance(*discrepancy, wavelength_nm);
     matrix.diagonal() += sigma_.cwiseAbs2();
     const Eigen::LLT<Eigen::MatrixXd> cholesky(matrix);
-    // A kernel is positive and the noise keeps it well away from singular.
-    assert(cholesky.info() == Eigen::Success);
+    if (cholesky.info() != Eigen::Success) {
+        throw InputError({.where = "discrepancy",
+                          .problem = fmt::format("cannot be used with uncertainties down to {:.2g}", sigma_.minCoeff()),
+                          .why = "beside them it leaves no difference between neighbouring wavelengths",
+                          .remedy = "state larger uncertainties, or a shorter length_nm"});
+    }
     factor_ = cholesky.matrixL();
 }
 

@@ -142,7 +142,7 @@ void check_shift(const Measurement& measurement, const FreeParameter& free) {
     const WavelengthRange modelled = modelled_wavelengths();
     const double lowest = measurement.bands.wavelength_nm.front() + free.bounds.lower;
     const double highest = measurement.bands.wavelength_nm.back() + free.bounds.upper;
-    if (lowest > modelled.lowest_nm && highest < modelled.highest_nm) return;
+    if (lowest >= modelled.lowest_nm && highest <= modelled.highest_nm) return;
     throw InputError(
         {.where = key(free),
          .problem = fmt::format("may lead to {} and {} nm", lowest, highest),

@@ -119,8 +119,8 @@ void read_discrepancy(Configuration& configuration, const Json& value, const std
         return;
     }
     if (!value.is_object()) {
-        refuse(where, value, "sigma, length_nm and kernel are needed",
-               R"(write it as in {"sigma": 0.005, "length_nm": 30}, or null for none)");
+        refuse(where, value, "an object is needed",
+               R"(write {} for the usual one, the same as {"sigma": 0.005, "length_nm": 30}, or null for none)");
     }
     Discrepancy discrepancy;
     for (const auto& [key, entry] : value.items()) {

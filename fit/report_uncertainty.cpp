@@ -19,9 +19,9 @@ std::string kind_text(const FitResult& result) {
 std::string inflation_text(const FitResult& result) {
     if (!result.inflation) return "";
     return fmt::format(
-        "sigmas are those of the stated noise; were the whole misfit noise, they would be {:.2g} times as "
-        "large (sqrt(chi2 / degrees of freedom))\n",
-        *result.inflation);
+        "sigmas are those of {}; were the whole misfit noise, they would be {:.2g} times as large "
+        "(sqrt(chi2 / degrees of freedom))\n",
+        result.configuration.discrepancy ? "noise and discrepancy together" : "the stated noise", *result.inflation);
 }
 
 std::string directions_text(const Identifiability& found) {

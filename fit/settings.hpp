@@ -8,6 +8,7 @@
 
 #include "core/json.hpp"
 #include "fit/configuration.hpp"
+#include "measurements/limits.hpp"
 
 namespace skinfit {
 
@@ -31,7 +32,7 @@ struct Range {
 };
 
 /// Full widths at half maximum of bandpasses.
-inline constexpr Range bandpass_width_range_nm{0, 100};
+inline constexpr Range bandpass_width_range_nm{0, widest_bandpass_nm};
 
 /// Throws InputError: `where`: `value` cannot be used.
 [[noreturn]] void refuse(const std::string& where, const Json& value, const std::string& why,

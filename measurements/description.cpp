@@ -10,6 +10,7 @@
 
 #include "core/input_error.hpp"
 #include "core/text.hpp"
+#include "measurements/limits.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
@@ -40,6 +41,12 @@ double positive(const std::string& source, const Note& note) {
     const std::optional<double> number = parse_number(note.value);
     if (!number || !(*number > 0) || !std::isfinite(*number)) refuse(source, note, "a number above 0");
     return *number;
+}
+
+double bandpass_width(const std::string& source, const Note& note) {
+    const double width_nm = positive(source, note);
+    if (width_nm > widest_bandpass_nm) refuse(source, note, fmt::format("at most {} nm", widest_bandpass_nm));
+    return width_nm;
 }
 
 double angle(const std::string& source, const Note& note, double lowest_deg, double highest_deg) {
@@ -79,7 +86,7 @@ bool take(Description& description, const std::string& source, const Note& note)
     } else if (note.key == "bandpass_shape") {
         description.bandpass_shape = one_of<BandpassShape>(source, note, bandpass_shape_names);
     } else if (note.key == "bandpass_width_nm") {
-        description.bandpass_width_nm = positive(source, note);
+        description.bandpass_width_nm = bandpass_width(source, note);
     } else if (note.key == "aperture_mm") {
         description.aperture_mm = positive(source, note);
     } else if (note.key == "specimen") {

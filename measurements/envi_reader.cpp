@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/input_error.hpp"
 #include "measurements/cube_mean.hpp"
 #include "measurements/cube_region.hpp"
 #include "measurements/envi_files.hpp"
+#include "measurements/limits.hpp"
 #include "measurements/spectral_cube.hpp"
 #include "measurements/unit_rule.hpp"
 
@@ -24,10 +26,16 @@ std::vector<double> widths_of(const SpectralCube& cube) {
 
 void take_bandpass(Spectrum& spectrum, const std::vector<double>& widths) {
     if (widths.empty()) return;
+    const auto [narrowest, widest] = std::ranges::minmax(widths);
+    if (widest > widest_bandpass_nm) {
+        throw InputError({.where = spectrum.source,
+                          .problem = fmt::format("has a band of {:g} nm (fwhm)", widest),
+                          .why = fmt::format("at most {} nm are modelled", widest_bandpass_nm),
+                          .remedy = "correct fwhm in the header, or leave it out"});
+    }
     const double sum = std::accumulate(widths.begin(), widths.end(), 0.0);
     spectrum.bandpass =
         Bandpass{.shape = BandpassShape::gaussian, .width_nm = sum / static_cast<double>(widths.size())};
-    const auto [narrowest, widest] = std::ranges::minmax(widths);
     spectrum.notes.push_back({.line = 0, .key = "fwhm_nm", .value = fmt::format("{} to {}", narrowest, widest)});
 }
 

@@ -148,7 +148,7 @@ void take_description(Spectrum& spectrum, const Object& object) {
     spectrum.site = text(object, "site");
     spectrum.aperture_mm = number(object, "aperture_mm", smallest, largest);
     const auto shape = word<BandpassShape>(object, "bandpass_shape", bandpass_shape_names);
-    const std::optional<double> width_nm = number(object, "bandpass_width_nm", smallest, largest);
+    const std::optional<double> width_nm = number(object, "bandpass_width_nm", smallest, widest_bandpass_nm);
     if (shape.has_value() != width_nm.has_value()) {
         throw InputError({.where = object.where,
                           .problem = fmt::format("gives bandpass_{} alone", shape ? "shape" : "width_nm"),

@@ -13,12 +13,12 @@ namespace skinfit {
 
 /// How a spectrum was measured, as far as its file says so.
 struct Geometry {
-    std::optional<double> incidence_deg{};  ///< to the normal, in [0, 90)
+    std::optional<double> incidence_deg{};  ///< to the normal, from 0 to 85
     std::optional<Specular> specular{};
-    std::optional<double> viewing_cone_deg{};  ///< half angle about the normal, above 0 to 90
+    std::optional<double> viewing_cone_deg{};  ///< half angle about the normal, from 0.1 to 90
 };
 
-/// A comment `key: value` of a file that says nothing about the measurement.
+/// A comment `key: value` of a file that says nothing about the measurement; fit/file_settings.hpp reads some.
 struct FileNote {
     std::size_t line;  ///< counted from 1
     std::string key;

@@ -57,12 +57,11 @@ void check_values(const SpectrumFile& file, std::string_view text, const ReadOpt
                               .remedy = "correct the offset or delete the line"});
         }
         if (value > largest_fraction) {
-            throw InputError(
-                {.where = place(i).where,
-                 .problem = fmt::format("the value {} at {} nm exceeds {}", value, nm, largest_fraction),
-                 .why = fmt::format("as a fraction; the unit was taken as {}", spectrum.unit_rule),
-                 .remedy =
-                     "correct the value, or state the unit with a line \"# unit: percent\" or \"# unit: fraction\""});
+            throw InputError({.where = place(i).where,
+                              .problem = fmt::format("the value {} at {} nm exceeds {}", value, nm, largest_fraction),
+                              .why = fmt::format("as a fraction; the unit was taken as {}", spectrum.unit_rule),
+                              .remedy = "correct the value, or, where the file is in percent, add a line \"# unit: "
+                                        "percent\" or give --unit percent"});
         }
         refuse_sigma(spectrum, i, place);
     }

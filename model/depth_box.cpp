@@ -37,7 +37,8 @@ DepthBox depth_box(const EmulatorDomain& domain, const Extinction& extinction) {
 
 DepthCoordinate::DepthCoordinate(const DepthBox& box, std::size_t layer) {
     if (!box.varies(layer)) return;
-    shift = 2.0 * box.lowest[layer];
+    // Of a layer that may not absorb at all a thousandth of its greatest depth; chosen, its error is certified as any.
+    shift = box.lowest[layer] > 0.0 ? 2.0 * box.lowest[layer] : 1e-3 * box.highest[layer];
     const double first = std::log(box.lowest[layer] + shift);
     const double last = std::log(box.highest[layer] + shift);
     scale = 2.0 / (last - first);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/input_error.hpp"
@@ -17,8 +18,8 @@
 namespace skinfit {
 namespace {
 
-/// Terms below this are left out, and the nodes suffice where the series along a layer has fallen below it. The error
-/// this leads to is found by `certify`.
+/// Loops over terms end with the last of this size, and the nodes suffice where the series along a layer has fallen
+/// below it. The error this leads to is found by `certify`.
 constexpr double least_coefficient = 5e-7;
 
 using DepthVector = std::vector<PerLayer<double>>;
@@ -212,6 +213,7 @@ Grouped grouped(const Members& members) {
 /// Finds the largest deviations on the test specimens and notes them, half as much again for what lies between.
 void certify(const Members& members, Grouped& grouped) {
     constexpr double margin = 1.5;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     const EmulatorSeries series = grouped.series();
     for (std::size_t upper = 0; upper < members[0]->test_upper.size(); ++upper) {
         for (std::size_t lower = 0; lower < members[0]->test_lower.size(); ++lower) {
@@ -226,8 +228,9 @@ void certify(const Members& members, Grouped& grouped) {
             for (std::size_t lane = 0; lane < emulator_lanes; ++lane) {
                 const double exact =
                     members[lane]->test_shares(static_cast<Eigen::Index>(upper), static_cast<Eigen::Index>(lower));
-                grouped.group.certified_error[lane] =
-                    std::max(grouped.group.certified_error[lane], margin * std::abs(sums.value[lane] - exact));
+                const double deviation = margin * std::abs(sums.value[lane] - exact);
+                double& certified = grouped.group.certified_error[lane];
+                certified = std::max(certified, std::isfinite(deviation) ? deviation : infinity);
             }
         }
     }

@@ -14,10 +14,11 @@
 namespace skinfit {
 namespace {
 
-/// A few rays of the recording asked for, hashed: any change to the walk, its tables or its random numbers shows here,
+/// A few rays of every batch of the recording asked for, hashed: any change to the walk, its tables, its random numbers
+/// or its order shows here,
 /// so that what an earlier version of the program has kept is never mistaken for this one's.
 std::uint64_t walk_fingerprint(const Sample& sample, const std::vector<double>& wavelengths_nm, WalkOptions options) {
-    options.rays = PathEnsemble::batch_count;
+    options.rays = 8 * PathEnsemble::batch_count;
     const PathEnsemble probe = PathEnsemble::trace(sample, wavelengths_nm, options);
     const std::span<const float> lengths = probe.recording().lengths;
     return XXH3_64bits(lengths.data(), lengths.size_bytes());

@@ -46,8 +46,9 @@ Html kind(const FitResult& result) {
     if (result.posterior) text = "Intervals come from the posterior, with equal tails.";
     if (result.inflation) {
         text += fmt::format(
-            " Sigmas are those of the stated noise; were the whole misfit noise, they would be {:.2g} times as large "
-            "(sqrt(chi2 / degrees of freedom)).",
+            " Sigmas are those of {}; were the whole misfit noise, they would be {:.2g} times as large (sqrt(chi2 / "
+            "degrees of freedom)).",
+            result.configuration.discrepancy ? "noise and discrepancy together" : "the stated noise",
             *result.inflation);
     }
     return paragraph(text);

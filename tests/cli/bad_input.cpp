@@ -131,6 +131,10 @@ TEST_F(BadInput, SlipsAndContradictions) {
     expect_refused({"simulate", "--set", "scale=1e400"}, "beyond the range of double precision");
     expect_refused({"simulate", "--seed", "9007199254740992"}, "give a whole number from 0 to 9007199254740991");
     expect_spectrum_refused("# incidence: 45\n" + good_spectrum, "bad.csv:1: unknown key \"incidence\"");
+    expect_spectrum_refused("# Edition: printed\n" + good_spectrum, "bad.csv:1: unknown key \"Edition\"");
+    expect_spectrum_refused("# Base: air\n" + good_spectrum, "write base: ... as the key");
+    expect_spectrum_refused("# bandpass_shape: triangular\n# bandpass_width_nm: 100.1\n" + good_spectrum,
+                            "bad.csv:2: bandpass_width_nm is \"100.1\" (it must be at most 100 nm)");
     expect_spectrum_refused("# layers: 3\n" + good_spectrum, "bad.csv:1: layers: 3 cannot be used");
     expect_spectrum_refused("# edition: printed\n# edition: revised\n" + good_spectrum, "is given again");
 }

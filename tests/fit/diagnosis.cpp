@@ -81,6 +81,14 @@ TEST(Diagnosis, TooFewRaysAboveHalfTheNoiseSaysHowManyAreNeeded) {
     EXPECT_NE(diagnose(result).reasons[0].find("set rays to at least 400000"), std::string::npos);
 }
 
+TEST(Diagnosis, EmulatorTooCoarseAboveHalfTheNoise) {
+    FitResult result = trustworthy_result();
+    result.emulator_error = 0.5 * result.median_sigma;
+    expect_trusted(result);
+    result.emulator_error = 0.51 * result.median_sigma;
+    expect_only(result, "EMULATOR TOO COARSE");
+}
+
 FitResult with_other_answer(double cost, double sigmas_away) {
     FitResult result = trustworthy_result();
     SolverAnswer other = result.answer;

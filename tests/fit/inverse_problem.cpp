@@ -5,6 +5,7 @@
 
 #include "fit/configuration_json.hpp"
 #include "fit/fit.hpp"
+#include "model/chromophores.hpp"
 #include "tests/fit/synthetic.hpp"
 #include "tests/support/refusal.hpp"
 
@@ -147,6 +148,7 @@ TEST(InverseProblem, ContradictionsAreRefused) {
              std::pair{R"({"priors": {"oxygen_saturation": {"kind": "log_normal", "median": 50, "sigma_log": 2.1}}})",
                        "of its mass"},
              std::pair{R"({"exclude_nm": [[0, 1000]]})", "leaves no wavelength"},
+             std::pair{R"({"wavelength_min_nm": 551, "wavelength_max_nm": 553})", "the file has none between them"},
              std::pair{R"({"free": []})", "no parameter is free"},
          }) {
         EXPECT_NE(refusal(text, spectrum).find(words), std::string::npos) << text << ": " << refusal(text, spectrum);
@@ -154,6 +156,26 @@ TEST(InverseProblem, ContradictionsAreRefused) {
     Spectrum constant = spectrum;
     std::ranges::fill(constant.value, 0.4);
     EXPECT_NE(refusal("{}", constant).find("all 31 values"), std::string::npos);
+}
+
+TEST(InverseProblem, TheStartIsReportedAsItWasWhereAPriorExcludesTheConfiguredOne) {
+    const Configuration at_zero = stated(R"({"priors": "physiological", "parameters": {"bilirubin_g_per_l": 0}})");
+    for (const FittedParameter& fitted : fit_spectrum(at_zero, spectrum_of_table_1(), {.cache = no_cache()}).free) {
+        EXPECT_GE(fitted.start, fitted.bounds.lower) << fitted.name;
+        EXPECT_LE(fitted.start, fitted.bounds.upper) << fitted.name;
+    }
+}
+
+TEST(InverseProblem, AShiftMayReachTheEndOfTheTablesAndNoFurther) {
+    const double lowest_nm = modelled_wavelengths().lowest_nm;
+    const auto refusal_from = [](double first_nm) {
+        Spectrum spectrum;
+        spectrum.wavelength_nm = {first_nm, 400, 500, 600};
+        spectrum.value = {0.1, 0.2, 0.3, 0.4};
+        return refusal(R"({"engine": "solver", "free": ["wavelength_shift_nm"], "wavelength_min_nm": 250})", spectrum);
+    };
+    EXPECT_EQ(refusal_from(lowest_nm + 5), "");  // as far as the bounds of the shift reach
+    EXPECT_NE(refusal_from(lowest_nm + 4.9).find("may lead to"), std::string::npos);
 }
 
 TEST(InverseProblem, FewerWavelengthsThanParametersNeedPriorsAndAreNamed) {

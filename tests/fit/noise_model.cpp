@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/input_error.hpp"
 #include "fit/loss.hpp"
 #include "fit/runs_test.hpp"
 
@@ -33,6 +34,15 @@ Eigen::MatrixXd covariance(const Discrepancy& discrepancy) {
         }
     }
     return matrix;
+}
+
+TEST(NoiseModel, RefusesUncertaintiesThatVanishBesideADiscrepancy) {
+    std::vector<double> close_nm;
+    for (int i = 0; i <= 60; ++i) close_nm.push_back(400 + 5 * i);
+    const std::vector<double> tiny(close_nm.size(), 1e-12);
+    const Discrepancy smooth{.sigma = 0.005, .length_nm = 30, .kernel = Kernel::squared_exponential};
+    EXPECT_THROW(NoiseModel(close_nm, tiny, smooth), InputError);
+    EXPECT_NO_THROW(NoiseModel(close_nm, tiny, std::nullopt));
 }
 
 TEST(NoiseModel, WhitensItsCovariance) {

@@ -74,6 +74,14 @@ TEST_F(EnviReader, TakesInstrumentAndBandpassFromTheHeader) {
     EXPECT_EQ(note(spectrum, "fwhm_nm"), "4 to 6");
 }
 
+TEST_F(EnviReader, RefusesBandsWiderThanAnyThatIsModelled) {
+    EXPECT_NO_THROW(
+        written({.more = "wavelength = {400, 500, 600}\nfwhm = {5, 5, 100}\nreflectance scale factor = 100\n"}));
+    EXPECT_THROW(
+        written({.more = "wavelength = {400, 500, 600}\nfwhm = {5, 5, 100.1}\nreflectance scale factor = 100\n"}),
+        InputError);
+}
+
 TEST_F(EnviReader, FindsTheUnitOfNumbersWithoutAScaleFactor) {
     const MadeCube made{.data_type = 4, .more = "wavelength = {400, 500, 600}\n"};  // from 1 to 60: percent
     const Spectrum found = written(made);
@@ -89,11 +97,11 @@ TEST_F(EnviReader, ChecksTheValuesOfASpectrumToFit) {
         (void)read_spectrum(in_folder("arm.hdr"));
         FAIL() << "accepted";
     } catch (const InputError& error) {
-        EXPECT_EQ(
-            std::string(error.what()).substr(in_folder("").string().size()),
-            "arm.hdr: the value 3.05 at 500 nm exceeds 1.5 (as a fraction; the unit was taken as fraction: after "
-            "division by the header's scale factor 10); correct the value, or state the unit with a line \"# unit: "
-            "percent\" or \"# unit: fraction\"");
+        EXPECT_EQ(std::string(error.what()).substr(in_folder("").string().size()),
+                  "arm.hdr: the value 3.05 at 500 nm exceeds 1.5 (as a fraction; the unit was taken as fraction: after "
+                  "division by the header's scale factor 10); correct the value, or, where the file is in percent, add "
+                  "a line "
+                  "\"# unit: percent\" or give --unit percent");
     }
 }
 

@@ -118,6 +118,24 @@ TEST(Emulator, RefusesDepthsOutsideItsDomain) {
     }
 }
 
+TEST(Emulator, CertifiesWhereALayerMayNotAbsorbAtAll) {
+    EmulatorDomain domain = physiological({}, 0.1, Side::top);
+    domain.wavelengths_nm = {545};
+    domain.sample.skin.eumelanin_g_per_l = 0.0;
+    domain.sample.skin.pheomelanin_g_per_l = 0.0;
+    std::ranges::find(domain.ranges, Parameter::melanosome_fraction, &ParameterRange::parameter)->upper = 1.0;
+    const Emulator emulator = Emulator::build(domain);
+    constexpr double hundredth = 0.01;  // no part of the promise, which is for skin
+    EXPECT_LE(emulator.certified_error(), hundredth);
+    const AngularSolver solver(domain.sample, {.incidence_rad = domain.incidence_rad});
+    for (int number = 1; number <= 20; ++number) {
+        const Skin skin = specimen(domain, number);
+        const PerLayer<double> at = optical_depth(skin, Extinction::at(545, domain.sample.edition));
+        EXPECT_NEAR(emulator.respond(std::vector{at})[0].share, solver.with(skin).shares(545).reflected.share,
+                    emulator.certified_error(0));
+    }
+}
+
 TEST(Emulator, RefusesParametersThatSteer) {
     EmulatorDomain domain = physiological({}, 0.1, Side::top);
     domain.ranges.push_back({Parameter::fibril_radius_nm, 20, 30});
