@@ -61,12 +61,14 @@ std::vector<std::string_view> all_names() {
     return names;
 }
 
-/// The first that holds `name` as a part, else the most similar one.
-std::string_view meant_by(std::string_view name) {
+/// A question for the first that holds `name` as a part, else for the most similar one; none where all are too
+/// different.
+std::string did_you_mean(std::string_view name) {
     const std::vector<std::string_view> names = all_names();
     const auto holding =
         std::ranges::find_if(names, [&](std::string_view each) { return each.find(name) != std::string_view::npos; });
-    return holding != names.end() ? *holding : nearest_name(name, names);
+    const auto meant = holding != names.end() ? std::optional(*holding) : similar_name(name, names);
+    return meant ? fmt::format("did you mean \"{}\"? ", *meant) : "";
 }
 
 }  // namespace
@@ -80,8 +82,7 @@ std::string description(std::string_view name) {
     throw InputError({.where = "describe",
                       .problem = fmt::format("unknown name \"{}\"", name),
                       .why = "neither a parameter, nor a setting, nor a word of the outputs",
-                      .remedy = fmt::format("did you mean \"{}\"? `skinfit describe` lists parameters and settings",
-                                            meant_by(name))});
+                      .remedy = did_you_mean(name) + "`skinfit describe` lists parameters and settings"});
 }
 
 std::string descriptions() {

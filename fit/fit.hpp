@@ -26,7 +26,8 @@ struct FitOptions {
 
 /// Explains all `spectra` (at least one) together as `configuration` says. Throws InputError for a problem that makes
 /// no sense (`make_problem`); a fit that ends badly is a result with a verdict, and one that is cancelled throws
-/// Cancelled within about 0.2 s: at the next evaluation of the model, or while one is made.
+/// Cancelled within about 0.2 s, at the next evaluation of the model or while one is made, but where
+/// `watch.keeps_partial_result` and a minimum is found already: then the result says what is `unfinished`.
 [[nodiscard]] FitResult fit_spectra(const Configuration& configuration, std::span<const Spectrum> spectra,
                                     const FitOptions& options);
 

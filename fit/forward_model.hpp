@@ -35,7 +35,8 @@ struct ModelWavelengths {
 
 /// The light at each of the wavelengths, derivatives by `parameters`. Instrument parameters have zeros, but for the
 /// wavelength shift, by which the angular solver is differenced over 0.1 nm. A `PathEnsemble` must have been traced for
-/// the experiment; it knows no derivative by parameters that steer rays. The same holds for an `Emulator`, which must
+/// the experiment; it knows no derivative by parameters that steer rays, and of a
+/// dermal thickness the part by absorption alone. The same holds for an `Emulator`, which must
 /// have been built for the side that is measured too; outside its domain InputError is thrown.
 [[nodiscard]] EscapedLight light_of(const ForwardModel& model, const Experiment& experiment, Side side,
                                     const ModelWavelengths& wavelengths, std::span<const Parameter> parameters);

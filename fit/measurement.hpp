@@ -26,17 +26,19 @@ struct Measurement {
     BandSampling bands{};          ///< of the wavelengths
 };
 
-/// The experiment that `configuration` describes; `geometry` fills in what it leaves open.
+/// The experiment that `configuration` describes; `geometry` fills in what it leaves open. Throws InputError for an
+/// instrument that is unknown or malformed, and for a hypodermis below two layers.
 [[nodiscard]] Experiment make_experiment(const Configuration& configuration, const Geometry& geometry);
 
-/// `configuration` with everything filled in that the spectrum or the defaults decide.
+/// `configuration` with everything filled in that the spectrum or the defaults decide. Throws as `make_experiment`.
 [[nodiscard]] Configuration resolved(Configuration configuration, const Spectrum& spectrum);
 
 /// The bandpass of a resolved configuration; none where it has no width.
 [[nodiscard]] std::optional<Bandpass> bandpass_of(const Configuration& resolved_configuration);
 
-/// `spectrum` as the fit takes it. Throws InputError for no wavelengths in the window or outside the tables, and for a
-/// constant spectrum.
+/// `spectrum` as the fit takes it. Throws InputError for no wavelengths in the window, for wavelengths or bands outside
+/// the tables, for a constant spectrum, for a viewing cone that the engine or geometry cannot have, and as
+/// `make_experiment`.
 [[nodiscard]] Measurement make_measurement(const Configuration& resolved_configuration, const Spectrum& spectrum);
 
 /// Throws InputError where two of the measurements hold the same values, which would count twice, or where a

@@ -35,7 +35,7 @@ struct NamedInstrument {
 [[nodiscard]] NamedInstrument parse_instrument(std::string_view text, const std::string& source);
 
 /// `configuration` with what it leaves unset as its instrument has it; the noise where it is that of the default
-/// configuration.
+/// configuration. Throws as `find_instrument`.
 [[nodiscard]] Configuration with_instrument(Configuration configuration);
 
 }  // namespace skinfit

@@ -22,8 +22,8 @@ struct FittedParameter {
     Parameter parameter;
     std::string name;  ///< `name_of` the free parameter, else of the parameter
     double value;
-    double start;
-    Bounds bounds;
+    double start;                      ///< of the first search
+    Bounds bounds;                     ///< within the support of the prior
     ParameterUncertainty uncertainty;  ///< of a fixed parameter: Status::fixed and the value as interval
 };
 

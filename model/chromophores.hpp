@@ -35,7 +35,8 @@ struct WavelengthRange {
 /// Absorption coefficient times thickness of each layer.
 [[nodiscard]] PerLayer<double> optical_depth(const Skin& skin, const Extinction& extinction);
 
-/// The derivative of each layer's optical depth by `parameter`; zero for parameters that do not absorb.
+/// The derivative of each layer's optical depth by `parameter`, per its unit; of a thickness the absorption coefficient
+/// (without what a dermal layer scatters), zero for parameters that do not absorb.
 [[nodiscard]] PerLayer<double> optical_depth_derivative(const Skin& skin, const Extinction& extinction,
                                                         Parameter parameter);
 

@@ -93,6 +93,8 @@ TEST_F(VocabularyRuns, DescribeSaysWhatAnyOfThemMeans) {
     const Outcome refused = run({"describe", "bilirubin"});
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_THAT(refused.err, testing::HasSubstr("did you mean \"bilirubin_g_per_l\"?"));
+    EXPECT_THAT(run({"describe", "biliruben_g_per_l"}).err, testing::HasSubstr("did you mean \"bilirubin_g_per_l\"?"));
+    EXPECT_THAT(run({"describe", "xyzzy"}).err, testing::Not(testing::HasSubstr("did you mean")));
 }
 
 }  // namespace
