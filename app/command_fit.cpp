@@ -186,8 +186,7 @@ void add_fit_command(CLI::App& app, Session& session) {
         ->required();
     fit->add_option("--column", command->columns,
                     "of a file with several spectra, which has no default: the name of one, or its number from 1; "
-                    "given again, one for each file, or "
-                    "several of one file")
+                    "given again, one for each file, or several of one file")
         ->type_name("NAME")
         ->expected(1)
         ->take_all();

@@ -115,8 +115,8 @@ void add_validate_inverse_command(CLI::App& validate, Session& session) {
     inverse->add_option("--intervals", command->intervals, "kinds of interval to compute")
         ->type_name("KIND,KIND")
         ->capture_default_str();
-    add_names_option(*inverse, "--free", command->free, "adjust these parameters too");
-    add_names_option(*inverse, "--fix", command->fix, "hold these parameters");
+    add_names_option(*inverse, "--free", command->free, "adjust these parameters too, beside those that are free");
+    add_names_option(*inverse, "--fix", command->fix, "hold these parameters at their configured value");
     add_configuration_options(*inverse, command->shared, "priors=uniform");
     command->shared.format = "text";
     add_format_option(*inverse, command->shared.format, {"text", "json"}, "form of the summary on the terminal");

@@ -84,8 +84,8 @@ int run(int argc, char** argv) {
     app.formatter(std::make_shared<HelpForm>());
     app.footer(
         "`skinfit COMMAND --help` explains a command. To begin: skinfit fit measurements/data/ncsu_113.csv\n\n"
-        "Exit code 0: done, a fit is trustworthy; 1: a fit is suspect or failed, or not all is as it should be; 2: bad "
-        "input; 3: internal error.");
+        "Exit code 0: done, a fit is trustworthy; 1: done, but a fit is suspect or failed, a study is not whole, or a "
+        "validation has not passed; 2: bad input; 3: internal error; 130: ended by Ctrl-C.");
     add_commands(app, session);
     try {
         app.parse(argc, argv);

@@ -87,7 +87,7 @@ constexpr std::string_view closing = R"(.SH EXIT STATUS
 done; of a fit: a trustworthy result
 .TP
 1
-done, with a warning; of a study: not every spectrum is fitted
+done, but a fit is suspect or failed, a study is not whole, or a validation has not passed
 .TP
 2
 bad input: the message says where, what, why, and what to do

@@ -14,8 +14,7 @@ void add_region_options(CLI::App& command, RegionOptions& options) {
     command
         .add_option("--rectangle", options.rectangle,
                     "of an ENVI cube, average the pixels in this rectangle; X counts samples (columns), Y lines "
-                    "(rows), both from "
-                    "0; all if not given")
+                    "(rows), both from 0; all if not given")
         ->type_name("X,Y,WIDTH,HEIGHT");
 }
 

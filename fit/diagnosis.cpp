@@ -13,7 +13,7 @@
 namespace skinfit {
 namespace {
 
-constexpr double monte_carlo_share = 0.5;                 // of the noise
+constexpr double model_error_share = 0.5;                 // of the noise
 constexpr double almost_as_well = normal_95 * normal_95;  // of the cost
 constexpr double different_sigmas = 0.1;
 constexpr double mixed = 1.01;        // R-hat, [VEHTARI21]
@@ -107,6 +107,24 @@ void judge_parameters(const FitResult& result, std::vector<std::string>& reasons
     }
 }
 
+void judge_model_error(const FitResult& result, std::vector<std::string>& reasons) {
+    const double most = model_error_share * result.median_sigma;
+    if (result.monte_carlo_error > most) {
+        reasons.push_back(
+            fmt::format("TOO FEW RAYS: the model's own error of {:.5f} exceeds half the noise of {:.5f}; set rays to "
+                        "at least {:.0f}",
+                        result.monte_carlo_error, result.median_sigma,
+                        static_cast<double>(result.configuration.rays) * (result.monte_carlo_error / most) *
+                            (result.monte_carlo_error / most)));
+    }
+    if (result.emulator_error.value_or(0.0) > most) {
+        reasons.push_back(
+            fmt::format("EMULATOR TOO COARSE: its certified error of {:.5f} exceeds half the noise of {:.5f}; narrow "
+                        "the bounds, or set engine=solver",
+                        *result.emulator_error, result.median_sigma));
+    }
+}
+
 void judge_end(const FitResult& result, std::vector<std::string>& reasons) {
     if (result.unfinished.empty()) return;
     reasons.push_back(fmt::format("INTERRUPTED before it had {}; run the fit again for the rest",
@@ -167,22 +185,7 @@ Diagnosis diagnose(const FitResult& result) {
     judge_runs(result, reasons);
     judge_minima(result, reasons);
     judge_parameters(result, reasons);
-    if (result.monte_carlo_error > monte_carlo_share * result.median_sigma) {
-        reasons.push_back(
-            fmt::format("TOO FEW RAYS: the model's own error of {:.5f} exceeds half the noise of {:.5f}; set rays to "
-                        "at least {:.0f}",
-                        result.monte_carlo_error, result.median_sigma,
-                        static_cast<double>(result.configuration.rays) *
-                            (result.monte_carlo_error / result.median_sigma / monte_carlo_share) *
-                            (result.monte_carlo_error / result.median_sigma / monte_carlo_share)));
-    }
-    if (result.emulator_error.value_or(0.0) > monte_carlo_share * result.median_sigma) {
-        reasons.push_back(
-            fmt::format("EMULATOR TOO COARSE: its certified error of {:.5f} exceeds half the noise of {:.5f}; narrow "
-                        "the bounds, or "
-                        "set engine=solver",
-                        *result.emulator_error, result.median_sigma));
-    }
+    judge_model_error(result, reasons);
     judge_end(result, reasons);
     judge_sampling(result, reasons);
     judge_solvers(result, reasons);

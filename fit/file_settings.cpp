@@ -6,8 +6,8 @@
 #include <array>
 
 #include "core/input_error.hpp"
-#include "core/text.hpp"
 #include "fit/configuration_json.hpp"
+#include "measurements/description.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
@@ -15,23 +15,18 @@ namespace {
 
 constexpr std::array<std::string_view, 3> keys = {"edition", "layers", "base"};
 
-/// Refuses a key that is almost one of them. Of `base` in other letters only: a "case" is no slip.
-void refuse_slip(const Spectrum& spectrum, const FileNote& note) {
+/// Of `base` other letters only are a slip: a "case" is none.
+void refuse_slips(const Spectrum& spectrum) {
     static constexpr std::array<std::string_view, 2> long_keys = {"edition", "layers"};
-    const std::string key = lower_case(note.key);
-    const std::optional<std::string_view> meant =
-        key == "base" ? std::optional(keys.back()) : similar_name(key, long_keys);
-    if (!meant) return;
-    throw InputError({.where = fmt::format("{}:{}", spectrum.source, note.line),
-                      .problem = fmt::format("unknown key {}", in_quotes(note.key)),
-                      .why = "it would have no effect",
-                      .remedy = fmt::format("write {}: ... as the key, or reword the comment", *meant)});
+    for (const FileNote& note : spectrum.notes) {
+        const bool is_base = lower_case(note.key) == "base";
+        refuse_slip(spectrum.source, note.line, note.key,
+                    is_base ? std::span<const std::string_view>(keys) : long_keys);
+    }
 }
 
 Configuration with_settings_of(Configuration configuration, const Spectrum& spectrum) {
-    for (const FileNote& note : spectrum.notes) {
-        if (std::ranges::find(keys, note.key) == keys.end()) refuse_slip(spectrum, note);
-    }
+    refuse_slips(spectrum);
     for (const std::string_view key : keys) {
         const FileNote* stated = nullptr;
         for (const FileNote& note : spectrum.notes) {

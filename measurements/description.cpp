@@ -57,19 +57,9 @@ double angle(const std::string& source, const Note& note, double lowest_deg, dou
     return *degrees;
 }
 
-/// Refuses a key that is almost one that changes what is read: in other letters, cut short or misspelt.
-void refuse_slip(const std::string& source, const Note& note) {
-    static constexpr std::array<std::string_view, 7> known = {
-        "quantity", "unit", "specular", "incidence_deg", "viewing_cone_deg", "bandpass_shape", "bandpass_width_nm"};
-    const std::string key = lower_case(note.key);
-    const auto cut = std::ranges::find_if(known, [&](std::string_view name) { return name.starts_with(key + "_"); });
-    const std::optional<std::string_view> meant = cut != known.end() ? *cut : similar_name(key, known);
-    if (!meant) return;
-    throw InputError({.where = fmt::format("{}:{}", source, note.line),
-                      .problem = fmt::format("unknown key {}", in_quotes(note.key)),
-                      .why = "it would have no effect",
-                      .remedy = fmt::format("write {}: ... as the key, or reword the comment", *meant)});
-}
+/// The keys that change what is read.
+constexpr std::array<std::string_view, 7> weighty_keys = {
+    "quantity", "unit", "specular", "incidence_deg", "viewing_cone_deg", "bandpass_shape", "bandpass_width_nm"};
 
 /// Takes what a known key says; false where the key is not known.
 bool take(Description& description, const std::string& source, const Note& note) {
@@ -116,6 +106,19 @@ void check_bandpass(const std::string& source, const Description& description) {
 
 }  // namespace
 
+void refuse_slip(const std::string& source, std::size_t line, std::string_view key,
+                 std::span<const std::string_view> known) {
+    if (std::ranges::find(known, key) != known.end()) return;
+    const std::string plain = lower_case(key);
+    const auto cut = std::ranges::find_if(known, [&](std::string_view name) { return name.starts_with(plain + "_"); });
+    const std::optional<std::string_view> meant = cut != known.end() ? *cut : similar_name(plain, known);
+    if (!meant) return;
+    throw InputError({.where = fmt::format("{}:{}", source, line),
+                      .problem = fmt::format("unknown key {}", in_quotes(key)),
+                      .why = "it would have no effect",
+                      .remedy = fmt::format("write {}: ... as the key, or reword the comment", *meant)});
+}
+
 Description read_description(const std::string& source, std::span<const Comment> comments) {
     Description description;
     std::map<std::string_view, std::size_t> line_of_key;
@@ -126,7 +129,7 @@ Description read_description(const std::string& source, std::span<const Comment>
                         .key = trimmed(comment.text.substr(0, colon)),
                         .value = trimmed(comment.text.substr(colon + 1))};
         if (!take(description, source, note)) {
-            refuse_slip(source, note);
+            refuse_slip(source, note.line, note.key, weighty_keys);
             description.notes.push_back(
                 {.line = note.line, .key = std::string(note.key), .value = std::string(note.value)});
             continue;

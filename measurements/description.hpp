@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "measurements/columns.hpp"
@@ -30,6 +32,11 @@ struct Description {
 /// Reads the comments of the form `key: value` with the keys above. Throws InputError for a key with a value that is
 /// not one of its own, for a key given twice, and for a key that looks like a slip of one that changes what is read.
 [[nodiscard]] Description read_description(const std::string& source, std::span<const Comment> comments);
+
+/// Throws InputError where the key of a comment on `line` is a slip of one of `known` (not empty): in other letters,
+/// cut short or misspelt. One of them itself is good.
+void refuse_slip(const std::string& source, std::size_t line, std::string_view key,
+                 std::span<const std::string_view> known);
 
 /// The lines of prose of the form `key: value`, whatever their keys.
 [[nodiscard]] std::vector<FileNote> notes_in(std::span<const Comment> prose);

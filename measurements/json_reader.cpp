@@ -97,6 +97,18 @@ std::vector<double> numbers(const Object& object, std::string_view name, std::si
     refuse(object, name, *array, fmt::format("it has {} numbers for {} wavelengths", found.size(), count));
 }
 
+std::optional<double> positive(const Object& object, std::string_view name,
+                               double upto = std::numeric_limits<double>::infinity()) {
+    const Json* const value = object.find(name);
+    if (value == nullptr) return std::nullopt;
+    const double found = value->is_number() ? value->get<double>() : 0.0;
+    if (!(found > 0.0 && found <= upto)) {
+        const std::string most = std::isfinite(upto) ? fmt::format(" and at most {}", upto) : "";
+        refuse(object, name, *value, fmt::format("a number above 0{} is needed", most));
+    }
+    return found;
+}
+
 /// `wavelength_nm`, or as many as there are values from `start` on by `step`.
 std::vector<double> wavelengths(const Object& object, std::size_t count) {
     if (object.find("wavelength_nm") != nullptr) return numbers(object, "wavelength_nm", count);
@@ -138,17 +150,15 @@ void take_notes(Spectrum& spectrum, const Object& object) {
 }
 
 void take_description(Spectrum& spectrum, const Object& object) {
-    constexpr double largest = std::numeric_limits<double>::max();
-    constexpr double smallest = std::numeric_limits<double>::min();
     spectrum.quantity = word<Quantity>(object, "quantity", quantity_names);
     spectrum.geometry.incidence_deg = number(object, "incidence_deg", 0, 85);  // as far as the model is asked
     spectrum.geometry.specular = word<Specular>(object, "specular", specular_names);
     spectrum.geometry.viewing_cone_deg = number(object, "viewing_cone_deg", 0.1, 90);  // likewise
     spectrum.instrument = text(object, "instrument");
     spectrum.site = text(object, "site");
-    spectrum.aperture_mm = number(object, "aperture_mm", smallest, largest);
+    spectrum.aperture_mm = positive(object, "aperture_mm");
     const auto shape = word<BandpassShape>(object, "bandpass_shape", bandpass_shape_names);
-    const std::optional<double> width_nm = number(object, "bandpass_width_nm", smallest, widest_bandpass_nm);
+    const std::optional<double> width_nm = positive(object, "bandpass_width_nm", widest_bandpass_nm);
     if (shape.has_value() != width_nm.has_value()) {
         throw InputError({.where = object.where,
                           .problem = fmt::format("gives bandpass_{} alone", shape ? "shape" : "width_nm"),

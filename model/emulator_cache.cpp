@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <xxhash.h>
 
 #include <algorithm>
 #include <array>
@@ -12,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/file.hpp"
 #include "model/sample_key.hpp"
 
 // Layout of the data: EmulatorHeader, groups, coefficients, counts.
@@ -29,15 +27,6 @@ struct EmulatorHeader {
 static_assert(std::is_trivially_copyable_v<EmulatorHeader> && std::is_trivially_copyable_v<Emulator::Group>);
 
 constexpr std::string_view format = "skinfit emul. 1\n";
-
-/// Solving even one wavelength would take longer than a warm start may.
-std::uint64_t program_fingerprint() {
-    static const std::uint64_t fingerprint = [] {
-        const std::string program = read_file("/proc/self/exe");
-        return XXH3_64bits(program.data(), program.size());
-    }();
-    return fingerprint;
-}
 
 }  // namespace
 

@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
-#include <xxhash.h>
-
-#include <span>
 
 #include "core/input_error.hpp"
 #include "model/ensemble_file.hpp"
@@ -13,16 +10,6 @@
 
 namespace skinfit {
 namespace {
-
-/// A few rays of every batch of the recording asked for, hashed: any change to the walk, its tables, its random numbers
-/// or its order shows here,
-/// so that what an earlier version of the program has kept is never mistaken for this one's.
-std::uint64_t walk_fingerprint(const Sample& sample, const std::vector<double>& wavelengths_nm, WalkOptions options) {
-    options.rays = 8 * PathEnsemble::batch_count;
-    const PathEnsemble probe = PathEnsemble::trace(sample, wavelengths_nm, options);
-    const std::span<const float> lengths = probe.recording().lengths;
-    return XXH3_64bits(lengths.data(), lengths.size_bytes());
-}
 
 /// Refuses a recording that this machine's memory cannot hold, before hours have gone into it.
 void require_memory(std::size_t wavelengths, std::uint64_t rays) {
@@ -42,9 +29,8 @@ void require_memory(std::size_t wavelengths, std::uint64_t rays) {
 }  // namespace
 
 std::string ensemble_key(const Sample& sample, const std::vector<double>& wavelengths_nm, const WalkOptions& options) {
-    return fmt::format("walk {:x}; seed {}; rays {}; {}; wavelengths {:a}",
-                       walk_fingerprint(sample, wavelengths_nm, options), options.seed, options.rays,
-                       sample_key(sample, options.incidence_rad, &ParameterInfo::steers),
+    return fmt::format("program {:x}; seed {}; rays {}; {}; wavelengths {:a}", program_fingerprint(), options.seed,
+                       options.rays, sample_key(sample, options.incidence_rad, &ParameterInfo::steers),
                        fmt::join(wavelengths_nm, " "));
 }
 

@@ -1,6 +1,9 @@
 #include "model/sample_key.hpp"
 
 #include <fmt/format.h>
+#include <xxhash.h>
+
+#include "core/file.hpp"
 
 namespace skinfit {
 
@@ -20,6 +23,14 @@ std::string sample_key(const Sample& sample, double incidence_rad,
         key += fmt::format(" {} {:a}", row.name, value_of(values, row.parameter));
     }
     return key;
+}
+
+std::uint64_t program_fingerprint() {
+    static const std::uint64_t fingerprint = [] {
+        const std::string program = read_file("/proc/self/exe");
+        return XXH3_64bits(program.data(), program.size());
+    }();
+    return fingerprint;
 }
 
 }  // namespace skinfit

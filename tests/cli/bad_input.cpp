@@ -131,6 +131,11 @@ TEST_F(BadInput, SlipsAndContradictions) {
     expect_refused({"simulate", "--set", "scale=1e400"}, "beyond the range of double precision");
     expect_refused({"simulate", "--seed", "9007199254740992"}, "give a whole number from 0 to 9007199254740991");
     expect_spectrum_refused("# incidence: 45\n" + good_spectrum, "bad.csv:1: unknown key \"incidence\"");
+    expect_refused({"fit", "good.csv", "--set", "wavelength_min_nm=600", "--set", "wavelength_max_nm=500"},
+                   "exchange them");
+    put("printed.csv", "# edition: printed\n" + good_spectrum);
+    put("revised.csv", "# edition: revised\n" + good_spectrum);
+    expect_refused({"fit", "printed.csv", "revised.csv"}, "state different editions, layers or bases");
     expect_spectrum_refused("# Edition: printed\n" + good_spectrum, "bad.csv:1: unknown key \"Edition\"");
     expect_spectrum_refused("# Base: air\n" + good_spectrum, "write base: ... as the key");
     expect_spectrum_refused("# bandpass_shape: triangular\n# bandpass_width_nm: 100.1\n" + good_spectrum,

@@ -86,5 +86,14 @@ TEST_F(UncertaintyRuns, DesignNamesTheBestWavelengths) {
     EXPECT_EQ(run({"design", "bilirubin"}).exit_code, 2);
 }
 
+TEST_F(UncertaintyRuns, DesignSaysThatItCountsNoDiscrepancy) {
+    std::vector<std::string> design = {"design", "bilirubin_g_per_l", "--wavelengths", "400:700:50",
+                                       "--set",  "rays=1000"};
+    const std::string said = "of noise alone: the discrepancy is not counted";
+    EXPECT_EQ(run(design).out.find(said), std::string::npos);
+    design.insert(design.end(), {"--set", "discrepancy={}"});
+    EXPECT_NE(run(design).out.find(said), std::string::npos);
+}
+
 }  // namespace
 }  // namespace skinfit::test

@@ -89,6 +89,14 @@ TEST(Diagnosis, EmulatorTooCoarseAboveHalfTheNoise) {
     expect_only(result, "EMULATOR TOO COARSE");
 }
 
+TEST(Diagnosis, ABetterMinimumThatAProfileMet) {
+    FitResult result = trustworthy_result();
+    result.profile = Profile{.intervals = {}, .minimum = {}, .cost = 0, .better_minimum = false, .evaluations = 0};
+    expect_trusted(result);
+    result.profile->better_minimum = true;
+    expect_only(result, "BETTER MINIMUM");
+}
+
 FitResult with_other_answer(double cost, double sigmas_away) {
     FitResult result = trustworthy_result();
     SolverAnswer other = result.answer;

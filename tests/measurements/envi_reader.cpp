@@ -100,8 +100,7 @@ TEST_F(EnviReader, ChecksTheValuesOfASpectrumToFit) {
         EXPECT_EQ(std::string(error.what()).substr(in_folder("").string().size()),
                   "arm.hdr: the value 3.05 at 500 nm exceeds 1.5 (as a fraction; the unit was taken as fraction: after "
                   "division by the header's scale factor 10); correct the value, or, where the file is in percent, add "
-                  "a line "
-                  "\"# unit: percent\" or give --unit percent");
+                  "a line \"# unit: percent\" or give --unit percent");
     }
 }
 

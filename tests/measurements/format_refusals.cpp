@@ -141,6 +141,11 @@ TEST(FormatRefusals, OfJson) {
          "f: incidence_deg: 86 cannot be used (a number from 0 to 85 is needed); correct it; " + json_example},
         {R"({"start": 400, "step": 1, "value": [0.1], "specular": "half"})",
          "f: specular: \"half\" cannot be used (it must be included or excluded); correct it; " + json_example},
+        {R"({"start": 400, "step": 1, "value": [0.1], "aperture_mm": 0})",
+         "f: aperture_mm: 0 cannot be used (a number above 0 is needed); correct it; " + json_example},
+        {R"({"start": 400, "step": 1, "value": [0.1], "bandpass_shape": "gaussian", "bandpass_width_nm": 100.5})",
+         "f: bandpass_width_nm: 100.5 cannot be used (a number above 0 and at most 100 is needed); correct it; " +
+             json_example},
         {R"({"start": 400, "step": 1, "value": [0.1], "bandpass_shape": "gaussian"})",
          "f: gives bandpass_shape alone (a bandpass is a shape and a width); add bandpass_width_nm"},
         {R"({"start": 400, "step": 1, "value": [0.1, 0.2], "repeats": [[0.1]]})",
