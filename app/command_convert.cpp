@@ -74,7 +74,7 @@ void add_convert_command(CLI::App& app, Session& session) {
         ->expected(1)
         ->take_all();
     convert->add_option("--unit", command->unit, "of the values; found by a rule otherwise")
-        ->type_name("fraction|percent");
+        ->type_name(choices(unit_names));
     add_reader_option(*convert, command->reader);
     add_region_options(*convert, command->region);
     add_examples(*convert,

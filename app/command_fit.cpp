@@ -4,6 +4,7 @@
 
 #include "app/commands.hpp"
 #include "app/measured_file.hpp"
+#include "app/option_limits.hpp"
 #include "app/progress_line.hpp"
 #include "app/region_options.hpp"
 #include "app/shared_options.hpp"
@@ -192,7 +193,8 @@ void add_fit_command(CLI::App& app, Session& session) {
         ->take_all();
     add_reader_option(*fit, command->reader);
     add_region_options(*fit, command->region);
-    fit->add_option("--unit", command->unit, "of the values; found by a rule otherwise")->type_name("fraction|percent");
+    fit->add_option("--unit", command->unit, "of the values; found by a rule otherwise")
+        ->type_name(choices(unit_names));
     add_names_option(
         *fit, "--free", command->free,
         "adjust these parameters too, beside those that are free; `skinfit config show` lists all, and which are");
@@ -203,7 +205,7 @@ void add_fit_command(CLI::App& app, Session& session) {
                     "what intervals come from: covariance (quick), profile (right at bounds) or posterior (draws of "
                     "all parameters)" +
                         unless_configured("uncertainty"))
-        ->type_name("covariance|profile|posterior");
+        ->type_name(choices(uncertainty_names));
     fit->add_option("--samples", command->samples,
                     "write the draws of the posterior to this file, as CSV; needs --uncertainty posterior")
         ->type_name("FILE");
@@ -217,7 +219,7 @@ void add_fit_command(CLI::App& app, Session& session) {
            "what looks for the best values, not how the model is computed (--set engine=...): ceres and slsqp by exact "
            "derivatives, bobyqa and sbplx without, crs2 by searching everywhere" +
                unless_configured("solver"))
-        ->type_name("ceres|slsqp|bobyqa|sbplx|crs2");
+        ->type_name(choices(solver_names));
     fit->add_flag("--strict", command->strict, "refuse a spectrum with warnings; `skinfit inspect` shows them");
     fit->add_flag("--cross-check", command->cross_check, "fit by each of the other solvers too, and compare");
     add_shared_options(*fit, command->shared, {"text", "json"});

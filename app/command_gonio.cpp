@@ -42,9 +42,9 @@ constexpr std::array illuminants = {BandIlluminant::equal_energy, BandIlluminant
 constexpr std::array parts = {Light::reflected, Light::surface, Light::subsurface};
 
 template <class Choices>
-std::vector<std::string> names_of(const Choices& choices) {
-    std::vector<std::string> names;
-    for (const auto choice : choices) names.emplace_back(name_of(choice));
+std::vector<std::string_view> names_of(const Choices& choices) {
+    std::vector<std::string_view> names;
+    for (const auto choice : choices) names.push_back(name_of(choice));
     return names;
 }
 
@@ -138,7 +138,7 @@ std::vector<AngularCounts> counted(const Sample& sample, const std::vector<doubl
 }
 
 std::string measure(const GonioCommand& command, GoniophotometerRun& run, ProgressLine& line) {
-    const Experiment experiment = make_experiment(run.configuration, {});
+    const Experiment experiment = make_experiment(run.configuration);
     const GoniophotometerOptions options{.incidence = {experiment.incidence_rad, experiment.incidence_rad},
                                          .rays = run.configuration.rays,
                                          .seed = run.configuration.seed,

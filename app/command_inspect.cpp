@@ -1,5 +1,6 @@
 #include "app/commands.hpp"
 #include "app/measured_file.hpp"
+#include "app/option_limits.hpp"
 #include "app/progress_line.hpp"
 #include "app/region_options.hpp"
 #include "app/shared_options.hpp"
@@ -68,7 +69,7 @@ void add_inspect_command(CLI::App& app, Session& session) {
     add_reader_option(*inspect, command->reader);
     add_region_options(*inspect, command->region);
     inspect->add_option("--unit", command->unit, "of the values; found by a rule otherwise")
-        ->type_name("fraction|percent");
+        ->type_name(choices(unit_names));
     inspect->add_option("--plot", command->plot, "draw the spectra into this file, .svg, .png or .pdf")
         ->type_name("FILE");
     inspect->add_flag("--strict", command->strict, "make warnings errors: exit code 2 where there are any");

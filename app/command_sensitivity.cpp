@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/option_limits.hpp"
 #include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "fit/configuration_json.hpp"
@@ -50,7 +51,7 @@ void add_sensitivity_command(CLI::App& app, Session& session) {
         app.add_subcommand("sensitivity", "compute how the reading answers to each parameter, by wavelength");
     add_wavelengths_option(*sensitivity, command->wavelengths);
     sensitivity->add_option("--quantity", command->quantity, "what is read; reflectance if not configured")
-        ->type_name("reflectance|transmittance");
+        ->type_name(choices(quantity_names));
     sensitivity->add_flag("--relative", command->relative,
                           "each derivative times the value of its parameter, instead of per unit");
     sensitivity

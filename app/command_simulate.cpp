@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/option_limits.hpp"
 #include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "fit/configuration_json.hpp"
@@ -50,7 +51,7 @@ std::vector<Reading> walked_readings(const Configuration& configuration, const E
 std::vector<Reading> modelled_readings(const Configuration& configuration, const std::vector<double>& wavelengths_nm,
                                        const DiskCache& cache, ProgressLine& line) {
     check_viewing_cone(resolved(configuration, Spectrum{}));
-    const Experiment experiment = make_experiment(configuration, {});
+    const Experiment experiment = make_experiment(configuration);
     const std::vector<double> true_nm = true_wavelengths_nm(experiment, wavelengths_nm);
     (void)extinctions(true_nm, experiment.edition);  // refuses wavelengths outside the tables before any work
     if (configuration.engine == Engine::solver) return read_by_solver(experiment, wavelengths_nm);
@@ -103,7 +104,7 @@ void add_simulate_command(CLI::App& app, Session& session) {
             "how the model is computed: by recorded walks of light, the walk of the paper ray by ray, a solver without "
             "random noise, or its stand-in for one geometry, the emulator" +
                 unless_configured("engine"))
-        ->type_name("paths|walk|solver|emulator");
+        ->type_name(choices(engine_names));
     add_wavelengths_option(*simulate, command->wavelengths);
     simulate->add_option("--rays", command->rays, "per wavelength" + unless_configured("rays"))->type_name("N");
     simulate->add_option("--seed", command->seed, "of the random numbers" + unless_configured("seed"))->type_name("N");

@@ -38,8 +38,8 @@ Configuration configuration_of(const ValidateInverseCommand& command) {
 }
 
 /// The kinds of interval named in "profile,posterior".
-std::array<bool, uncertainty_methods> chosen_intervals(const std::string& names) {
-    std::array<bool, uncertainty_methods> chosen{};
+std::array<bool, uncertainty_method_count> chosen_intervals(const std::string& names) {
+    std::array<bool, uncertainty_method_count> chosen{};
     for (const std::string_view name : split(names, ',')) {
         const Configuration named =
             configured_by_word(default_configuration(), "uncertainty", name, fmt::format("--intervals {}", names));
@@ -96,7 +96,9 @@ int run(const ValidateInverseCommand& command, Session& session) {
 void add_validate_inverse_command(CLI::App& validate, Session& session) {
     const auto command = std::make_shared<ValidateInverseCommand>();
     CLI::App* const inverse = validate.add_subcommand(
-        "inverse", "fit synthetic spectra of known skin, and count how often intervals cover it");
+        "inverse",
+        "fit synthetic spectra of known skin, and count how often intervals cover it; unless configured, their noise "
+        "is 0.003, and 0.01 to 0.08 of the epidermis are melanosomes, 0.002 to 0.07 of the dermis blood");
     inverse->add_option("--output", command->output, "folder for recovery.csv, two pictures and summary.json")
         ->type_name("FOLDER")
         ->capture_default_str();

@@ -56,12 +56,14 @@ CLI::Option* number(CLI::Option* option, double lowest, double highest, const st
     });
 }
 
-CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words) {
-    option->type_name(fmt::format("{}", fmt::join(words, "|")));
-    return checked(option, [words](const std::string& text, const std::string& where) {
-        const std::vector<std::string_view> names(words.begin(), words.end());
-        (void)read_choice(text, names, where);
-    });
+std::string choices(std::span<const std::string_view> words) {
+    return fmt::format("{}", fmt::join(words, "|"));
+}
+
+CLI::Option* one_of(CLI::Option* option, const std::vector<std::string_view>& words) {
+    option->type_name(choices(words));
+    return checked(
+        option, [words](const std::string& text, const std::string& where) { (void)read_choice(text, words, where); });
 }
 
 std::string limits_of(const CLI::Option& option) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// What the value of an option may be. It stands in the help, and another value is refused in the words in which that
@@ -14,8 +16,11 @@ CLI::Option* whole_number(CLI::Option* option, int lowest, int highest);
 /// The value is a number from `lowest` to `highest`; the help calls it `unit`.
 CLI::Option* number(CLI::Option* option, double lowest, double highest, const std::string& unit);
 
-/// The value is one of `words`.
-CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words);
+/// `words` as the help names a value that is one of them.
+[[nodiscard]] std::string choices(std::span<const std::string_view> words);
+
+/// The value is one of `words`, which outlive the option.
+CLI::Option* one_of(CLI::Option* option, const std::vector<std::string_view>& words);
 
 /// What `whole_number` and `number` allow, as in "1 to 1024"; else empty.
 [[nodiscard]] std::string limits_of(const CLI::Option& option);

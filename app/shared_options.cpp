@@ -35,7 +35,7 @@ void refuse_replacing(const std::string& option, const std::filesystem::path& ou
 
 }  // namespace
 
-void add_shared_options(CLI::App& command, SharedOptions& options, const std::vector<std::string>& formats) {
+void add_shared_options(CLI::App& command, SharedOptions& options, const std::vector<std::string_view>& formats) {
     add_configuration_options(command, options, "melanosome_fraction=0.1");
     add_format_option(command, options.format, formats);
     add_out_option(command, options.out);
@@ -57,7 +57,7 @@ void add_names_option(CLI::App& command, const std::string& option, std::vector<
     command.add_option(option, names, meaning)->type_name("NAME,NAME")->expected(1)->take_all();
 }
 
-CLI::Option* add_format_option(CLI::App& command, std::string& format, const std::vector<std::string>& formats,
+CLI::Option* add_format_option(CLI::App& command, std::string& format, const std::vector<std::string_view>& formats,
                                const std::string& meaning) {
     format = formats.front();
     return one_of(command.add_option("--format", format, meaning), formats)->capture_default_str();
@@ -99,7 +99,7 @@ void add_reader_option(CLI::App& command, std::string& reader) {
     command
         .add_option("--reader", reader,
                     "read FILE in this form, whatever it looks like; recognised by its content if not given")
-        ->type_name(fmt::format("{}", fmt::join(reader_names(), "|")));
+        ->type_name(choices(reader_names()));
 }
 
 Configuration configuration_from(const SharedOptions& options, const Configuration& defaults) {

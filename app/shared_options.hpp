@@ -28,7 +28,7 @@ struct SharedOptions {
 };
 
 /// Adds them to `command`; `formats` are the choices of --format, the first the default.
-void add_shared_options(CLI::App& command, SharedOptions& options, const std::vector<std::string>& formats);
+void add_shared_options(CLI::App& command, SharedOptions& options, const std::vector<std::string_view>& formats);
 
 /// Adds --config and --set, which is explained by `example`.
 void add_configuration_options(CLI::App& command, SharedOptions& options, const std::string& example);
@@ -38,7 +38,7 @@ void add_names_option(CLI::App& command, const std::string& option, std::vector<
                       const std::string& meaning);
 
 /// Adds --format with its choices, of which the first is the default.
-CLI::Option* add_format_option(CLI::App& command, std::string& format, const std::vector<std::string>& formats,
+CLI::Option* add_format_option(CLI::App& command, std::string& format, const std::vector<std::string_view>& formats,
                                const std::string& meaning = "form of the output");
 
 /// Adds --out, a file in place of the terminal.

@@ -43,7 +43,7 @@ FitProblem problem_with(const Configuration& configuration, const std::vector<do
     Spectrum spectrum;
     spectrum.name = spectrum.source = "synthetic";
     spectrum.wavelength_nm = wavelengths_nm;
-    for (const Reading& reading : read_by_solver(make_experiment(configuration, {}), wavelengths_nm)) {
+    for (const Reading& reading : read_by_solver(make_experiment(configuration), wavelengths_nm)) {
         spectrum.value.push_back(reading.reflectance);
     }
     return make_problem(resolved(configuration, spectrum), spectrum);

@@ -101,7 +101,7 @@ Simulation LiveSimulator::simulate(const Configuration& configuration) {
     simulation.configuration.engine = Engine::solver;
     check_viewing_cone(simulation.configuration);
     const Quantity quantity = simulation.configuration.quantity.value();
-    const Experiment experiment = make_experiment(simulation.configuration, {});
+    const Experiment experiment = make_experiment(simulation.configuration);
     const BandSampling bands = sample_bands(simulation.wavelength_nm, bandpass_of(simulation.configuration));
     const std::vector<double> true_nm = true_wavelengths_nm(experiment, bands.wavelength_nm);
     (void)extinctions(true_nm, experiment.edition);  // refuses wavelengths outside the tables before any work

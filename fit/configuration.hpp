@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -22,6 +23,7 @@ enum class Engine {
     solver,    ///< the angular solver: without noise, smooth in every parameter
     emulator,  ///< the angular solver as a polynomial in what absorbs, within the bounds of the free parameters
 };
+inline constexpr std::array<std::string_view, 4> engine_names = {"paths", "walk", "solver", "emulator"};
 
 /// What minimises the misfit.
 enum class Solver {
@@ -32,6 +34,8 @@ enum class Solver {
     crs2,    ///< controlled random search over the whole box, then bobyqa, NLopt
 };
 inline constexpr std::size_t solver_count = 5;
+inline constexpr std::array<std::string_view, solver_count> solver_names = {"ceres", "bobyqa", "sbplx", "slsqp",
+                                                                            "crs2"};
 
 /// Where the intervals of a fit come from.
 enum class UncertaintyMethod {
@@ -39,6 +43,9 @@ enum class UncertaintyMethod {
     profile,     ///< profile likelihood, right at bounds
     posterior,   ///< Markov chain Monte Carlo
 };
+inline constexpr std::size_t uncertainty_method_count = 3;
+inline constexpr std::array<std::string_view, uncertainty_method_count> uncertainty_names = {"covariance", "profile",
+                                                                                             "posterior"};
 
 /// Limits of a free parameter, or of a range.
 struct Bounds {
@@ -87,7 +94,7 @@ struct Weight {
     double weight;    ///< above 0
 };
 
-/// Everything a user can set. What is optional and unset is taken from the measured file, else from
+/// Everything a user can set. What is optional and unset is taken from the instrument or the measured file, else from
 /// `default_incidence_deg` and its neighbours.
 struct Configuration {
     Edition edition = Edition::revised;
@@ -110,7 +117,7 @@ struct Configuration {
     std::string wavelengths = "400:700:10";  ///< of a simulation, nm; see `parse_wavelengths`
     double wavelength_min_nm = 400;          ///< of a fit
     double wavelength_max_nm = 700;          ///< of a fit
-    double noise = 0.006;                    ///< standard uncertainty of a value where the file states none, fraction
+    std::optional<double> noise;             ///< standard uncertainty of a value where the file states none, fraction
     std::vector<Bounds> exclude_nm;          ///< ranges of wavelengths a fit leaves out, both ends included
     std::vector<Weight> weights;             ///< 1 elsewhere
     Loss loss = Loss::squares;
@@ -132,12 +139,13 @@ inline constexpr Specular default_specular = Specular::included;
 inline constexpr double default_incidence_deg_with_cone = 45.0;
 inline constexpr Specular default_specular_with_cone = Specular::excluded;
 inline constexpr Quantity default_quantity = Quantity::reflectance;
+inline constexpr double default_noise = 0.006;  ///< fraction; the median repeat scatter of [COOKSEY17]
 
 /// The scale of `loss` in sigmas at which a fit to normal noise keeps 95 % of the efficiency of least squares
 /// [HOLLAND77].
 [[nodiscard]] double default_loss_scale(Loss loss);
 
-/// [KA04, Table 1], five free pigment parameters, 400-700 nm; noise: the median repeat scatter of [COOKSEY17].
+/// [KA04, Table 1], five free pigment parameters, 400-700 nm.
 [[nodiscard]] Configuration default_configuration();
 
 /// The base of the sample, resolved. Throws InputError for a hypodermis under two layers.

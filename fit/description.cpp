@@ -9,6 +9,7 @@
 #include "core/vocabulary.hpp"
 #include "fit/physiological_priors.hpp"
 #include "fit/settings.hpp"
+#include "measurements/words.hpp"
 
 namespace skinfit {
 namespace {
@@ -73,14 +74,15 @@ std::string did_you_mean(std::string_view name) {
 
 }  // namespace
 
-std::string description(std::string_view name) {
+std::string description(std::string_view asked) {
+    const std::string name = lower_case(asked);  // reports write some words in capitals
     if (const std::optional<Parameter> parameter = find_parameter(name)) return parameter_description(info(*parameter));
     const auto setting = std::ranges::find(setting_table(), name, &Setting::name);
     if (setting != setting_table().end()) return setting_description(*setting);
     const auto word = std::ranges::find(vocabulary(), name, &Word::name);
     if (word != vocabulary().end()) return word_description(*word);
     throw InputError({.where = "describe",
-                      .problem = fmt::format("unknown name \"{}\"", name),
+                      .problem = fmt::format("unknown name \"{}\"", asked),
                       .why = "neither a parameter, nor a setting, nor a word of the outputs",
                       .remedy = did_you_mean(name) + "`skinfit describe` lists parameters and settings"});
 }

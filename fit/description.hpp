@@ -6,8 +6,8 @@
 namespace skinfit {
 
 /// What a name of the program's files and outputs stands for, in lines of text: a parameter with its unit, limits,
-/// bounds and source, a setting with the values it takes, or a word of the outputs. Throws InputError with the nearest
-/// name where there is none such.
+/// bounds and source, a setting with the values it takes, or a word of the outputs, in any case. Throws InputError with
+/// the nearest name where there is none such.
 [[nodiscard]] std::string description(std::string_view name);
 
 /// The names of all parameters and settings with their meanings, a line each.

@@ -154,7 +154,7 @@ Design design(const Configuration& configuration, const DesignRequest& request) 
     complete.wavelength_max_nm = result.wavelength_nm.back();
     const FitProblem problem = planned_problem(complete, result.wavelength_nm);
     const Objective objective(problem, make_models(problem, complete.engine, request.cache));
-    const MatrixXd jacobian = objective.model(starts(problem)).jacobian / complete.noise;
+    const MatrixXd jacobian = objective.model(starts(problem)).jacobian / complete.noise.value();
     const Index column = column_of(problem, request.parameter);
     check_request(request, jacobian, column);
     VectorXd prior(jacobian.cols());

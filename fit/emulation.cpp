@@ -21,7 +21,7 @@ EmulatorDomain emulator_domain(const FitProblem& problem, std::size_t number) {
 
 EmulatorDomain emulator_domain(const Configuration& configuration, Side side,
                                const std::vector<double>& wavelengths_nm) {
-    const Experiment experiment = make_experiment(configuration, {});
+    const Experiment experiment = make_experiment(configuration);
     EmulatorDomain domain{.sample = experiment.sample(),
                           .incidence_rad = experiment.incidence_rad,
                           .side = side,

@@ -39,11 +39,8 @@ EscapedLight absorbed_light(double surface_share, const Skin& skin, const std::v
         light.share[row] = response.share;
         light.standard_error[row] = response.standard_error;
         for (std::size_t k = 0; k < parameters.size(); ++k) {
-            const PerLayer<double> depth_by = optical_depth_derivative(skin, pigments[i], parameters[k]);
-            double by = 0.0;
-            for (std::size_t layer = 0; layer < layer_count; ++layer)
-                by += response.by_optical_depth[layer] * depth_by[layer];
-            light.share_by(row, static_cast<Index>(k)) = by;
+            light.share_by(row, static_cast<Index>(k)) =
+                pigment_derivative(response.by_optical_depth, skin, pigments[i], parameters[k]);
         }
     }
     return light;

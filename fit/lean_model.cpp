@@ -27,17 +27,6 @@ void require_plain_squares(const FitProblem& problem) {
     }
 }
 
-/// The derivative of the reading by a parameter of the skin.
-double reading_by(const EmulatedShare& share, const Skin& skin, const Extinction& pigments, Parameter parameter,
-                  double scale) {
-    const PerLayer<double> depth_by = optical_depth_derivative(skin, pigments, parameter);
-    double by = 0.0;
-    for (std::size_t layer = 0; layer < layer_count; ++layer) {
-        by += scale * share.by_optical_depth[layer] * depth_by[layer];
-    }
-    return by;
-}
-
 /// What was modelled at the wavelengths of the model, in bands and in sigmas of each.
 LeanModel::Modelled in_sigmas(LeanModel::Modelled modelled, const Measurement& measurement) {
     modelled.reading = measurement.bands.readings(std::move(modelled.reading));
@@ -87,7 +76,8 @@ LeanModel::Modelled LeanModel::at(std::span<const double> positions) const {
         for (std::size_t j = 0; j < slopes.size(); ++j) {
             const Parameter parameter = problem_->free[j].parameter;
             const double by = of_instrument_[j] ? law.derivative(parameter, light, surface)
-                                                : reading_by(shares[i], skin, pigments_[i], parameter, law.scale);
+                                                : law.scale * pigment_derivative(shares[i].by_optical_depth, skin,
+                                                                                 pigments_[i], parameter);
             modelled.jacobian(row, static_cast<Index>(j)) = by * slopes[j];
         }
     }

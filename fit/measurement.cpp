@@ -36,7 +36,7 @@ void take_data(Measurement& measurement, const Configuration& configuration, con
         if (!is_fitted(wavelength_nm, configuration)) continue;
         measurement.wavelength_nm.push_back(wavelength_nm);
         measurement.measured.push_back(spectrum.value[i]);
-        measurement.sigma.push_back(spectrum.sigma.empty() ? configuration.noise : spectrum.sigma[i]);
+        measurement.sigma.push_back(spectrum.sigma.empty() ? configuration.noise.value() : spectrum.sigma[i]);
         if (!configuration.weights.empty()) measurement.weight.push_back(weight_at(wavelength_nm, configuration));
     }
     if (measurement.wavelength_nm.empty()) {
@@ -87,14 +87,13 @@ void check_wavelengths(const Configuration& configuration, const Spectrum& spect
     }
 }
 
-Configuration with_geometry(Configuration configuration, const Geometry& geometry) {
+/// The geometry where neither the configuration nor its instrument nor a file states it.
+Configuration with_default_geometry(Configuration configuration) {
     configuration = with_instrument(std::move(configuration));
-    if (!configuration.viewing_cone_deg) configuration.viewing_cone_deg = geometry.viewing_cone_deg;
     const bool cone = configuration.viewing_cone_deg.has_value();
-    configuration.incidence_deg = configuration.incidence_deg.value_or(
-        geometry.incidence_deg.value_or(cone ? default_incidence_deg_with_cone : default_incidence_deg));
-    configuration.specular = configuration.specular.value_or(
-        geometry.specular.value_or(cone ? default_specular_with_cone : default_specular));
+    configuration.incidence_deg =
+        configuration.incidence_deg.value_or(cone ? default_incidence_deg_with_cone : default_incidence_deg);
+    configuration.specular = configuration.specular.value_or(cone ? default_specular_with_cone : default_specular);
     return configuration;
 }
 
@@ -102,14 +101,7 @@ Configuration with_geometry(Configuration configuration, const Geometry& geometr
 /// that the file names, if it is one of ours.
 Configuration with_file(Configuration configuration, const Spectrum& spectrum) {
     configuration = with_instrument(std::move(configuration));
-    const Geometry& geometry = spectrum.geometry;
-    if (!configuration.incidence_deg) configuration.incidence_deg = geometry.incidence_deg;
-    if (!configuration.specular) configuration.specular = geometry.specular;
-    if (!configuration.viewing_cone_deg) configuration.viewing_cone_deg = geometry.viewing_cone_deg;
-    if (spectrum.bandpass) {
-        if (!configuration.bandpass_shape) configuration.bandpass_shape = spectrum.bandpass->shape;
-        if (!configuration.bandpass_width_nm) configuration.bandpass_width_nm = spectrum.bandpass->width_nm;
-    }
+    configuration = with_stated(std::move(configuration), spectrum.geometry, spectrum.bandpass);
     const std::vector<std::string> names = instrument_names();
     if (configuration.instrument || std::ranges::find(names, spectrum.instrument) == names.end()) return configuration;
     configuration.instrument = spectrum.instrument;
@@ -151,8 +143,8 @@ void check_sum(const Measurement& reflected, const Measurement& transmitted) {
 
 }  // namespace
 
-Experiment make_experiment(const Configuration& configuration, const Geometry& geometry) {
-    const Configuration complete = with_geometry(configuration, geometry);
+Experiment make_experiment(const Configuration& configuration) {
+    const Configuration complete = with_default_geometry(configuration);
     std::optional<double> viewing_cone_rad;
     if (complete.viewing_cone_deg) viewing_cone_rad = *complete.viewing_cone_deg * rad_per_deg;
     return {.values = configuration.values,
@@ -165,10 +157,11 @@ Experiment make_experiment(const Configuration& configuration, const Geometry& g
 }
 
 Configuration resolved(Configuration configuration, const Spectrum& spectrum) {
-    configuration = with_geometry(with_file(std::move(configuration), spectrum), {});
+    configuration = with_default_geometry(with_file(std::move(configuration), spectrum));
     configuration.bandpass_width_nm = configuration.bandpass_width_nm.value_or(0.0);
     configuration.bandpass_shape = configuration.bandpass_shape.value_or(BandpassShape::triangular);
     configuration.base = resolved_base(configuration);
+    configuration.noise = configuration.noise.value_or(default_noise);
     configuration.quantity = configuration.quantity.value_or(spectrum.quantity.value_or(default_quantity));
     return configuration;
 }
@@ -184,13 +177,13 @@ Measurement make_measurement(const Configuration& configuration, const Spectrum&
     check_wavelengths(configuration, spectrum);
     Measurement measurement{
         .source = spectrum.source,
-        .experiment = make_experiment(configuration, spectrum.geometry),
+        .experiment = make_experiment(configuration),
         .quantity = configuration.quantity.value(),
         .wavelength_nm = {},
         .measured = {},
         .sigma = {},
         .sigma_source = spectrum.sigma.empty()
-                            ? fmt::format("{} at every wavelength (setting noise)", configuration.noise)
+                            ? fmt::format("{} at every wavelength (setting noise)", configuration.noise.value())
                             : spectrum.sigma_source,
         .walk = {.incidence_rad = configuration.incidence_deg.value() * rad_per_deg,
                  .rays = configuration.rays,

@@ -26,9 +26,9 @@ struct Measurement {
     BandSampling bands{};          ///< of the wavelengths
 };
 
-/// The experiment that `configuration` describes; `geometry` fills in what it leaves open. Throws InputError for an
-/// instrument that is unknown or malformed, and for a hypodermis below two layers.
-[[nodiscard]] Experiment make_experiment(const Configuration& configuration, const Geometry& geometry);
+/// The experiment that `configuration` describes; its instrument and the defaults fill in what it leaves open. Throws
+/// InputError for an instrument that is unknown or malformed, and for a hypodermis below two layers.
+[[nodiscard]] Experiment make_experiment(const Configuration& configuration);
 
 /// `configuration` with everything filled in that the spectrum or the defaults decide. Throws as `make_experiment`.
 [[nodiscard]] Configuration resolved(Configuration configuration, const Spectrum& spectrum);

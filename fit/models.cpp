@@ -4,6 +4,8 @@
 #include "model/emulator_cache.hpp"
 #include "model/ensemble_cache.hpp"
 
+#include <stdexcept>
+
 namespace skinfit {
 
 std::vector<ForwardModel> make_models(const FitProblem& problem, Engine engine, const DiskCache& cache,
@@ -12,14 +14,20 @@ std::vector<ForwardModel> make_models(const FitProblem& problem, Engine engine, 
     for (std::size_t k = 0; k < problem.measurements.size(); ++k) {
         const Measurement& measurement = problem.measurements[k];
         const Experiment& experiment = measurement.experiment;
-        if (engine == Engine::solver) {
-            models.emplace_back(angular_solver(experiment));
-        } else if (engine == Engine::emulator) {
-            models.emplace_back(cached_emulator(emulator_domain(problem, k), cache, stop));
-        } else {
-            models.emplace_back(cached_ensemble(experiment.sample(),
-                                                true_wavelengths_nm(experiment, measurement.bands.wavelength_nm),
-                                                measurement.walk, cache, stop));
+        switch (engine) {
+            case Engine::paths:
+                models.emplace_back(cached_ensemble(experiment.sample(),
+                                                    true_wavelengths_nm(experiment, measurement.bands.wavelength_nm),
+                                                    measurement.walk, cache, stop));
+                break;
+            case Engine::solver:
+                models.emplace_back(angular_solver(experiment));
+                break;
+            case Engine::emulator:
+                models.emplace_back(cached_emulator(emulator_domain(problem, k), cache, stop));
+                break;
+            case Engine::walk:
+                throw std::logic_error("the analog walk is no model of a fit");
         }
     }
     return models;

@@ -62,6 +62,15 @@ std::optional<Bandpass> bandpass_of(const Json& json, const std::string& where) 
         .width_nm = read_number(json["width_nm"], bandpass_width_range_nm, where + ".width_nm")};
 }
 
+Geometry geometry_of(const Json& json, const std::string& where) {
+    Geometry geometry{.incidence_deg = number_of(json, "incidence_deg", incidence_range_deg, where),
+                      .viewing_cone_deg = number_of(json, "viewing_cone_deg", viewing_cone_range_deg, where)};
+    if (!json["specular"].is_null()) {
+        geometry.specular = static_cast<Specular>(read_choice(json["specular"], specular_names, where + ".specular"));
+    }
+    return geometry;
+}
+
 }  // namespace
 
 std::vector<std::string> instrument_names() {
@@ -91,38 +100,38 @@ NamedInstrument parse_instrument(std::string_view text, const std::string& sourc
     if (!json["description"].is_string()) {
         refuse(source + ".description", json["description"], "text is needed", example);
     }
-    constexpr Range wavelengths_nm{100, 10'000};
     NamedInstrument instrument{.description = json["description"].get<std::string>(),
-                               .incidence_deg = number_of(json, "incidence_deg", {0, 85}, source),
-                               .viewing_cone_deg = number_of(json, "viewing_cone_deg", {0.1, 90}, source),
+                               .geometry = geometry_of(json, source),
                                .aperture_mm = number_of(json, "aperture_mm", {0.01, 1000}, source),
                                .bandpass = bandpass_of(json["bandpass"], source + ".bandpass"),
-                               .noise = number_of(json, "noise", {1e-6, 1}, source)};
-    if (!json["specular"].is_null()) {
-        instrument.specular =
-            static_cast<Specular>(read_choice(json["specular"], specular_names, source + ".specular"));
-    }
+                               .noise = number_of(json, "noise", noise_range, source)};
     if (const Json& grid = json["wavelength_nm"]; !grid.is_null()) {
         const std::string where = source + ".wavelength_nm";
         require_keys(grid, {"first", "last", "step"}, where);
-        instrument.first_nm = number_of(grid, "first", wavelengths_nm, where);
-        instrument.last_nm = number_of(grid, "last", wavelengths_nm, where);
+        instrument.first_nm = number_of(grid, "first", wavelength_range_nm, where);
+        instrument.last_nm = number_of(grid, "last", wavelength_range_nm, where);
         instrument.step_nm = number_of(grid, "step", {1e-3, 1000}, where);
     }
     return instrument;
 }
 
+Configuration with_stated(Configuration configuration, const Geometry& geometry,
+                          const std::optional<Bandpass>& bandpass) {
+    if (!configuration.incidence_deg) configuration.incidence_deg = geometry.incidence_deg;
+    if (!configuration.specular) configuration.specular = geometry.specular;
+    if (!configuration.viewing_cone_deg) configuration.viewing_cone_deg = geometry.viewing_cone_deg;
+    if (bandpass) {
+        if (!configuration.bandpass_shape) configuration.bandpass_shape = bandpass->shape;
+        if (!configuration.bandpass_width_nm) configuration.bandpass_width_nm = bandpass->width_nm;
+    }
+    return configuration;
+}
+
 Configuration with_instrument(Configuration configuration) {
     if (!configuration.instrument) return configuration;
     const NamedInstrument instrument = find_instrument(*configuration.instrument, "instrument");
-    if (!configuration.incidence_deg) configuration.incidence_deg = instrument.incidence_deg;
-    if (!configuration.specular) configuration.specular = instrument.specular;
-    if (!configuration.viewing_cone_deg) configuration.viewing_cone_deg = instrument.viewing_cone_deg;
-    if (instrument.bandpass) {
-        if (!configuration.bandpass_shape) configuration.bandpass_shape = instrument.bandpass->shape;
-        if (!configuration.bandpass_width_nm) configuration.bandpass_width_nm = instrument.bandpass->width_nm;
-    }
-    if (instrument.noise && configuration.noise == Configuration{}.noise) configuration.noise = *instrument.noise;
+    configuration = with_stated(std::move(configuration), instrument.geometry, instrument.bandpass);
+    if (!configuration.noise) configuration.noise = instrument.noise;
     return configuration;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fit/configuration.hpp"
+#include "measurements/spectrum.hpp"
 
 namespace skinfit {
 
@@ -13,9 +14,7 @@ namespace skinfit {
 /// sources.
 struct NamedInstrument {
     std::string description;
-    std::optional<double> incidence_deg{};
-    std::optional<Specular> specular{};
-    std::optional<double> viewing_cone_deg{};
+    Geometry geometry{};
     std::optional<double> aperture_mm{};  ///< for the record: the model has no edges
     std::optional<Bandpass> bandpass{};
     std::optional<double> first_nm{};
@@ -34,8 +33,11 @@ struct NamedInstrument {
 /// The same from text; `source` names it in messages.
 [[nodiscard]] NamedInstrument parse_instrument(std::string_view text, const std::string& source);
 
-/// `configuration` with what it leaves unset as its instrument has it; the noise where it is that of the default
-/// configuration. Throws as `find_instrument`.
+/// `configuration` with what it leaves unset of geometry and bandpass as they are here.
+[[nodiscard]] Configuration with_stated(Configuration configuration, const Geometry& geometry,
+                                        const std::optional<Bandpass>& bandpass);
+
+/// `configuration` with what it leaves unset as its instrument has it. Throws as `find_instrument`.
 [[nodiscard]] Configuration with_instrument(Configuration configuration);
 
 }  // namespace skinfit

@@ -28,7 +28,7 @@ Sensitivity sensitivity(const Configuration& configuration) {
     result.configuration.engine = Engine::solver;
     check_viewing_cone(result.configuration);
     const Quantity quantity = result.configuration.quantity.value();
-    const Experiment experiment = make_experiment(result.configuration, {});
+    const Experiment experiment = make_experiment(result.configuration);
     const ModelWavelengths wavelengths = model_wavelengths(experiment, result.wavelength_nm);
     const std::vector<Parameter> parameters = all_parameters();
     const EscapedLight light =

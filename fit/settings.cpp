@@ -16,12 +16,6 @@
 namespace skinfit {
 namespace {
 
-constexpr std::array<std::string_view, 2> edition_names = {"printed", "revised"};
-constexpr std::array<std::string_view, 4> engine_names = {"paths", "walk", "solver", "emulator"};
-constexpr std::array<std::string_view, 3> uncertainty_names = {"covariance", "profile", "posterior"};
-constexpr std::array<std::string_view, solver_count> solver_names = {"ceres", "bobyqa", "sbplx", "slsqp", "crs2"};
-constexpr std::array<std::string_view, 2> unit_names = {"fraction", "percent"};
-
 template <class Enum, std::size_t count>
 Enum read_name(const Json& value, const std::array<std::string_view, count>& names, const std::string& where) {
     return static_cast<Enum>(read_choice(value, names, where));
@@ -96,7 +90,6 @@ Setting layers() {
 }
 
 constexpr Range base_index_range{1.0, 3.0};
-constexpr Range viewing_cone_range_deg{0.1, 90.0};
 
 void read_base(Configuration& configuration, const Json& value, const std::string& where) {
     constexpr std::array<std::string_view, 2> names = {"hypodermis", "matched"};
@@ -204,7 +197,7 @@ std::vector<Setting> general_settings() {
         base(),
         number("incidence_deg",
                "of the light, to the normal; null: as the measured file says, else 8, or 45 with a viewing cone",
-               {0, 85}, &Configuration::incidence_deg),
+               incidence_range_deg, &Configuration::incidence_deg),
         named(
             "specular",
             "whether the mirror reflection of the surface is seen; null: as the file says, else included, or excluded "
@@ -225,8 +218,10 @@ std::vector<Setting> general_settings() {
                &Configuration::wavelength_min_nm),
         number("wavelength_max_nm", "a fit uses the wavelengths up to here", {0, 1e5},
                &Configuration::wavelength_max_nm),
-        number("noise", "standard uncertainty of a value where the file states none, fraction", {1e-6, 1},
-               &Configuration::noise),
+        number("noise",
+               "standard uncertainty of a value where the file states none, fraction; null: as the instrument says, "
+               "else 0.006",
+               noise_range, &Configuration::noise),
         count("starts", "of a fit: the configured one, and points spread over the bounds", 1, 10'000,
               &Configuration::starts),
     };
@@ -243,7 +238,7 @@ double read_number(const Json& value, const Range& range, const std::string& whe
     const std::string remedy = fmt::format("give a number from {} to {}", range.lowest, range.highest);
     if (!value.is_number()) refuse(where, value, "a number is needed", remedy);
     const double number = value.get<double>();
-    if (!(number >= range.lowest && number <= range.highest)) refuse(where, value, "out of range", remedy);
+    if (!range.contains(number)) refuse(where, value, "out of range", remedy);
     return number;
 }
 

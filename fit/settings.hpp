@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/geometry.hpp"
 #include "core/json.hpp"
 #include "fit/configuration.hpp"
-#include "measurements/limits.hpp"
 
 namespace skinfit {
 
@@ -22,17 +22,11 @@ struct Setting {
     std::function<Json(const Configuration&)> write;
 };
 
+/// Of the setting `noise`, and of that of an instrument, fraction.
+inline constexpr Range noise_range{1e-6, 1};
+
 /// All settings but the parameters, in the order in which they are shown.
 [[nodiscard]] std::span<const Setting> setting_table();
-
-/// A number between two limits, both included.
-struct Range {
-    double lowest;
-    double highest;
-};
-
-/// Full widths at half maximum of bandpasses.
-inline constexpr Range bandpass_width_range_nm{0, widest_bandpass_nm};
 
 /// Throws InputError: `where`: `value` cannot be used.
 [[noreturn]] void refuse(const std::string& where, const Json& value, const std::string& why,

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/geometry.hpp"
 #include "core/input_error.hpp"
 #include "core/text.hpp"
 #include "measurements/limits.hpp"
@@ -45,14 +46,16 @@ double positive(const std::string& source, const Note& note) {
 
 double bandpass_width(const std::string& source, const Note& note) {
     const double width_nm = positive(source, note);
-    if (width_nm > widest_bandpass_nm) refuse(source, note, fmt::format("at most {} nm", widest_bandpass_nm));
+    const double widest_nm = bandpass_width_range_nm.highest;
+    if (width_nm > widest_nm) refuse(source, note, fmt::format("at most {} nm", widest_nm));
     return width_nm;
 }
 
-double angle(const std::string& source, const Note& note, double lowest_deg, double highest_deg) {
+double angle(const std::string& source, const Note& note, const Range& range_deg) {
     const std::optional<double> degrees = parse_number(note.value);
-    if (!degrees || !(*degrees >= lowest_deg && *degrees <= highest_deg)) {
-        refuse(source, note, fmt::format("an angle to the normal in degrees, from {} to {}", lowest_deg, highest_deg));
+    if (!degrees || !range_deg.contains(*degrees)) {
+        refuse(source, note,
+               fmt::format("an angle to the normal in degrees, from {} to {}", range_deg.lowest, range_deg.highest));
     }
     return *degrees;
 }
@@ -70,9 +73,9 @@ bool take(Description& description, const std::string& source, const Note& note)
     } else if (note.key == "specular") {
         description.geometry.specular = one_of<Specular>(source, note, specular_names);
     } else if (note.key == "incidence_deg") {
-        description.geometry.incidence_deg = angle(source, note, 0, 85);  // as far as the model is asked
+        description.geometry.incidence_deg = angle(source, note, incidence_range_deg);
     } else if (note.key == "viewing_cone_deg") {
-        description.geometry.viewing_cone_deg = angle(source, note, 0.1, 90);  // likewise
+        description.geometry.viewing_cone_deg = angle(source, note, viewing_cone_range_deg);
     } else if (note.key == "bandpass_shape") {
         description.bandpass_shape = one_of<BandpassShape>(source, note, bandpass_shape_names);
     } else if (note.key == "bandpass_width_nm") {

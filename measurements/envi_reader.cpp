@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/geometry.hpp"
 #include "core/input_error.hpp"
 #include "measurements/cube_mean.hpp"
 #include "measurements/cube_region.hpp"
@@ -27,10 +28,10 @@ std::vector<double> widths_of(const SpectralCube& cube) {
 void take_bandpass(Spectrum& spectrum, const std::vector<double>& widths) {
     if (widths.empty()) return;
     const auto [narrowest, widest] = std::ranges::minmax(widths);
-    if (widest > widest_bandpass_nm) {
+    if (widest > bandpass_width_range_nm.highest) {
         throw InputError({.where = spectrum.source,
                           .problem = fmt::format("has a band of {:g} nm (fwhm)", widest),
-                          .why = fmt::format("at most {} nm are modelled", widest_bandpass_nm),
+                          .why = fmt::format("at most {} nm are modelled", bandpass_width_range_nm.highest),
                           .remedy = "correct fwhm in the header, or leave it out"});
     }
     const double sum = std::accumulate(widths.begin(), widths.end(), 0.0);

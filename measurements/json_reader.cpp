@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/geometry.hpp"
 #include "core/input_error.hpp"
 #include "core/json.hpp"
 #include "core/text.hpp"
@@ -48,12 +49,12 @@ struct Object {
                       .remedy = fmt::format("correct it; {}", example)});
 }
 
-std::optional<double> number(const Object& object, std::string_view name, double above, double upto) {
+std::optional<double> number(const Object& object, std::string_view name, const Range& range) {
     const Json* const value = object.find(name);
     if (value == nullptr) return std::nullopt;
     const double found = value->is_number() ? value->get<double>() : std::numeric_limits<double>::quiet_NaN();
-    if (!(found >= above && found <= upto)) {
-        refuse(object, name, *value, fmt::format("a number from {} to {} is needed", above, upto));
+    if (!range.contains(found)) {
+        refuse(object, name, *value, fmt::format("a number from {} to {} is needed", range.lowest, range.highest));
     }
     return found;
 }
@@ -112,9 +113,9 @@ std::optional<double> positive(const Object& object, std::string_view name,
 /// `wavelength_nm`, or as many as there are values from `start` on by `step`.
 std::vector<double> wavelengths(const Object& object, std::size_t count) {
     if (object.find("wavelength_nm") != nullptr) return numbers(object, "wavelength_nm", count);
-    constexpr double largest = 1e4;
-    const std::optional<double> start = number(object, "start", 0, largest);
-    const std::optional<double> step = number(object, "step", -largest, largest);
+    const std::optional<double> start = number(object, "start", {0, wavelength_range_nm.highest});
+    const std::optional<double> step =
+        number(object, "step", {-wavelength_range_nm.highest, wavelength_range_nm.highest});
     if (!start || !step) {
         throw InputError({.where = object.where,
                           .problem = "has no wavelengths",
@@ -151,14 +152,14 @@ void take_notes(Spectrum& spectrum, const Object& object) {
 
 void take_description(Spectrum& spectrum, const Object& object) {
     spectrum.quantity = word<Quantity>(object, "quantity", quantity_names);
-    spectrum.geometry.incidence_deg = number(object, "incidence_deg", 0, 85);  // as far as the model is asked
+    spectrum.geometry.incidence_deg = number(object, "incidence_deg", incidence_range_deg);
     spectrum.geometry.specular = word<Specular>(object, "specular", specular_names);
-    spectrum.geometry.viewing_cone_deg = number(object, "viewing_cone_deg", 0.1, 90);  // likewise
+    spectrum.geometry.viewing_cone_deg = number(object, "viewing_cone_deg", viewing_cone_range_deg);
     spectrum.instrument = text(object, "instrument");
     spectrum.site = text(object, "site");
     spectrum.aperture_mm = positive(object, "aperture_mm");
     const auto shape = word<BandpassShape>(object, "bandpass_shape", bandpass_shape_names);
-    const std::optional<double> width_nm = positive(object, "bandpass_width_nm", widest_bandpass_nm);
+    const std::optional<double> width_nm = positive(object, "bandpass_width_nm", bandpass_width_range_nm.highest);
     if (shape.has_value() != width_nm.has_value()) {
         throw InputError({.where = object.where,
                           .problem = fmt::format("gives bandpass_{} alone", shape ? "shape" : "width_nm"),
@@ -223,7 +224,7 @@ Spectrum spectrum_of(const Object& object, const std::string& source, const std:
     take_readings(spectrum, grid, {.value = value, .sigma = sigma},
                   {.option = options.unit, .comment = word<Unit>(object, "unit", unit_names), .header = {}});
     take_repeats(spectrum, object, grid, value, spectrum.unit_rule.starts_with("percent") ? 100 : 1);
-    spectrum.missing += static_cast<std::size_t>(number(object, "missing", 0, 1e9).value_or(0));
+    spectrum.missing += static_cast<std::size_t>(number(object, "missing", {0, 1e9}).value_or(0));
     if (!sigma.empty()) {
         spectrum.sigma_source = text(object, "sigma_source");
         if (spectrum.sigma_source.empty()) spectrum.sigma_source = "given by the file";

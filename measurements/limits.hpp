@@ -9,7 +9,6 @@
 namespace skinfit {
 
 inline constexpr std::size_t longest_line_bytes = std::size_t{1} << 24U;  ///< 16 MiB
-inline constexpr double widest_bandpass_nm = 100;                         ///< as far as the model is asked
 inline constexpr std::size_t most_columns = 1'000'000;
 inline constexpr std::size_t most_jcamp_points = 10'000'000;  ///< of all spectra of a file; they may be compressed
 /// 128 MiB, of JSON, JCAMP-DX and CGATS: in memory their parts take up to twelve times as much.

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "core/geometry.hpp"
 #include "core/input_error.hpp"
 #include "core/text.hpp"
 #include "measurements/cell_numbers.hpp"
@@ -32,7 +33,7 @@ std::optional<double> wavelength_named(std::string_view name) {
     }
     if (number.ends_with("nm")) number.remove_suffix(2);
     const std::optional<double> wavelength_nm = parse_number(trimmed(number));
-    return wavelength_nm && *wavelength_nm >= 100 && *wavelength_nm <= 10000 ? wavelength_nm : std::nullopt;
+    return wavelength_nm && wavelength_range_nm.contains(*wavelength_nm) ? wavelength_nm : std::nullopt;
 }
 
 /// The first line of a table with a spectrum in each row.

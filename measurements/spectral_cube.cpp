@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/geometry.hpp"
 #include "core/input_error.hpp"
 
 namespace skinfit {
@@ -52,15 +53,14 @@ std::vector<double> read_numbers(const Raster& raster, const EnviHeader& header,
 }
 
 void check_wavelengths(const EnviHeader& header, const std::vector<std::size_t>& bands) {
-    constexpr double shortest_nm = 100;
-    constexpr double longest_nm = 10000;
     for (const std::size_t band : bands) {
         const double wavelength = header.wavelength_nm[band];
-        if (wavelength >= shortest_nm && wavelength <= longest_nm) continue;
+        if (wavelength_range_nm.contains(wavelength)) continue;
         throw InputError(
             {.where = header.source,
              .problem = fmt::format("the wavelength of band {} is {} nm", band + 1, wavelength),
-             .why = fmt::format("it must lie between {} and {} nm", shortest_nm, longest_nm),
+             .why = fmt::format("it must lie between {} and {} nm", wavelength_range_nm.lowest,
+                                wavelength_range_nm.highest),
              .remedy = "correct \"wavelength\" or \"wavelength units\", or mark the band as bad in \"bbl\""});
     }
     const auto twin =

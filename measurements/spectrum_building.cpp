@@ -6,19 +6,19 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/geometry.hpp"
 #include "core/input_error.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
 
 Grid make_grid(std::span<const double> wavelength_nm, const std::function<GridPlace(std::size_t)>& place) {
-    constexpr double shortest_nm = 100;
-    constexpr double longest_nm = 10000;
     for (std::size_t i = 0; i < wavelength_nm.size(); ++i) {
-        if (wavelength_nm[i] >= shortest_nm && wavelength_nm[i] <= longest_nm) continue;
+        if (wavelength_range_nm.contains(wavelength_nm[i])) continue;
         throw InputError({.where = place(i).where,
                           .problem = fmt::format("the wavelength is {} nm", wavelength_nm[i]),
-                          .why = fmt::format("it must lie between {} and {} nm", shortest_nm, longest_nm),
+                          .why = fmt::format("it must lie between {} and {} nm", wavelength_range_nm.lowest,
+                                             wavelength_range_nm.highest),
                           .remedy = "give wavelengths in nanometres, or name their unit in the header"});
     }
     Grid grid;

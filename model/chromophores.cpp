@@ -152,4 +152,12 @@ PerLayer<double> optical_depth_derivative(const Skin& skin, const Extinction& ex
     return derivative;
 }
 
+double pigment_derivative(const PerLayer<double>& by_optical_depth, const Skin& skin, const Extinction& extinction,
+                          Parameter parameter) {
+    const PerLayer<double> depth_by = optical_depth_derivative(skin, extinction, parameter);
+    double by = 0.0;
+    for (std::size_t layer = 0; layer < layer_count; ++layer) by += by_optical_depth[layer] * depth_by[layer];
+    return by;
+}
+
 }  // namespace skinfit

@@ -40,4 +40,8 @@ struct WavelengthRange {
 [[nodiscard]] PerLayer<double> optical_depth_derivative(const Skin& skin, const Extinction& extinction,
                                                         Parameter parameter);
 
+/// The derivative by `parameter` of what has these derivatives `by_optical_depth` of the layers.
+[[nodiscard]] double pigment_derivative(const PerLayer<double>& by_optical_depth, const Skin& skin,
+                                        const Extinction& extinction, Parameter parameter);
+
 }  // namespace skinfit

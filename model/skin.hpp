@@ -27,6 +27,7 @@ enum class Edition {
     printed,  ///< the equations of [KA04] as printed
     revised,  ///< decadic extinctions times ln 10, proper Rayleigh angles, Rayleigh test at downward runs
 };
+inline constexpr std::array<std::string_view, 2> edition_names = {"printed", "revised"};
 
 /// The biology and optics of one skin specimen. Defaults: [KA04, Table 1]. Ranges: `parameter_table()`.
 struct Skin {

@@ -21,7 +21,7 @@ Experiment fitted_experiment(const FitResult& result, std::size_t number) {
     for (const FittedParameter& fitted : result.free) {
         if (belongs_to(fitted, number)) value_of(configuration.values, fitted.parameter) = fitted.value;
     }
-    return make_experiment(configuration, {});
+    return make_experiment(configuration);
 }
 
 }  // namespace skinfit

@@ -38,14 +38,16 @@ void refuse_misplaced(const std::string& key, const std::string& where) {
     }
 }
 
+constexpr double cohort_noise = 0.003;  // where the cohort states none, fraction
+
 Configuration read_model(const Json& json, const std::string& where) {
     Configuration configuration = default_configuration();
     configuration.engine = Engine::solver;
-    configuration.noise = 0.003;
     configuration.free.fill(false);
     for (const char* key : {"seed", "wavelengths", "noise", "discrepancy"}) {
         if (json.contains(key)) configuration = configured(std::move(configuration), {{key, json[key]}}, where);
     }
+    configuration.noise = configuration.noise.value_or(cohort_noise);
     if (json.contains("model")) {
         const std::string here = where + ": model";
         require_object(json["model"], here, example);

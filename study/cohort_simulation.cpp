@@ -55,7 +55,7 @@ SimulatedSubject measured(const Survey& survey, std::size_t group, std::uint64_t
     }
     for (std::uint64_t repeat = 0; repeat < survey.cohort.repeats; ++repeat) {
         const Eigen::VectorXd reading =
-            real + survey.cohort.configuration.noise *
+            real + survey.cohort.configuration.noise.value() *
                        normal_numbers(stream(survey.cohort, survey.group, number, first_noise + repeat), real.size());
         subject.reading.emplace_back(reading.begin(), reading.end());
     }

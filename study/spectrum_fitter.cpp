@@ -88,7 +88,7 @@ StudiedSpectrum SpectrumFitter::fit_it(const Spectrum& spectrum) {
                     {.cache = cache_, .findings = findings, .models = [this](const auto& problem, Engine engine) {
                          return shelf_.models(problem, engine);
                      }}));
-    studied.indices = indices_of(spectrum, with_instrument(configuration).noise);
+    studied.indices = indices_of(spectrum, resolved(configuration, spectrum).noise.value());
     return studied;
 }
 

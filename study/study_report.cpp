@@ -186,7 +186,8 @@ HtmlSection provenance_section(const Study& study, const StudyResults& results) 
         {"program", escaped("skinfit " + results.version)},
         {"inputs", escaped(fmt::format("{} files, {} cubes", study.files.size(), study.cubes.size()))}};
     for (const char* key : {"edition", "engine", "uncertainty", "noise", "seed"}) {
-        items.emplace_back(key, escaped(configuration.at(key).dump()));
+        const Json& value = configuration.at(key);
+        items.emplace_back(key, escaped(value.is_null() ? "as the files state it, else the default" : value.dump()));
     }
     for (const IndexInfo& info : index_table()) {
         items.emplace_back(std::string(info.name), escaped(fmt::format("{} {}", info.meaning, info.source)));

@@ -25,7 +25,7 @@ SpectralCurve spectrum_of(const std::string& name, const Configuration& configur
     const std::vector<double> wavelengths_nm = parse_wavelengths(configuration.wavelengths, "wavelengths");
     const bool is_transmittance = configuration.quantity.value_or(default_quantity) == Quantity::transmittance;
     SpectralCurve curve{.name = name, .wavelength_nm = wavelengths_nm, .value = {}};
-    for (const Reading& reading : read_by_solver(make_experiment(configuration, {}), wavelengths_nm)) {
+    for (const Reading& reading : read_by_solver(make_experiment(configuration), wavelengths_nm)) {
         curve.value.push_back(is_transmittance ? reading.transmittance : reading.reflectance);
     }
     return curve;
@@ -44,7 +44,7 @@ Light light_of(FigureLight light) {
 
 AngularCurve lobe_of(const std::string& name, FigureLight shown, const Configuration& configuration,
                      const FigureOptions& options) {
-    const Experiment experiment = make_experiment(configuration, {});
+    const Experiment experiment = make_experiment(configuration);
     const std::vector<double> wavelengths_nm = parse_wavelengths(configuration.wavelengths, "wavelengths");
     const AngularBins bins{.polar = 18, .azimuth = 18};
     const AngularSpectrum spectrum{

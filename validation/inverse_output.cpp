@@ -10,8 +10,6 @@
 namespace skinfit {
 namespace {
 
-constexpr std::array<const char*, uncertainty_methods> method_names = {"covariance", "profile", "posterior"};
-
 std::string coverage_words(const std::optional<Coverage>& coverage) {
     if (!coverage) return "-";
     const std::optional<bool> passes = coverage->passes();
@@ -35,7 +33,7 @@ SheetLine coverage_line(const std::vector<RecoveredSpectrum>& spectra, std::size
     std::vector<std::size_t> order(spectra.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t k) { return spectra[k].parameters[column].truth; });
-    SheetLine line{.label = method_names[method], .x = {}, .y = {}};
+    SheetLine line{.label = std::string(uncertainty_names[method]), .x = {}, .y = {}};
     for (std::size_t tenth = 0; tenth < tenths; ++tenth) {
         std::size_t identifiable = 0;
         std::size_t covered = 0;
@@ -80,7 +78,8 @@ std::string interval_cells(const std::optional<RecoveredParameter::Interval>& in
 
 std::string recovery_csv(const std::vector<RecoveredSpectrum>& spectra, const std::vector<FreeParameter>& free) {
     std::string text = "spectrum,parameter,truth,estimate";
-    for (const char* const method : method_names) text += fmt::format(",{0}_status,{0}_lower,{0}_upper", method);
+    for (const std::string_view method : uncertainty_names)
+        text += fmt::format(",{0}_status,{0}_lower,{0}_upper", method);
     text += ",rank,converged,cost,lowest_cost,bobyqa_cost,bobyqa_sigmas_off,r_hat,divergences\n";
     for (std::size_t k = 0; k < spectra.size(); ++k) {
         const RecoveredSpectrum& spectrum = spectra[k];
@@ -106,7 +105,7 @@ std::string recovery_text(const RecoverySummary& summary) {
     text += agreement_line("Ceres and BOBYQA end at the same cost, to 1e-6 of it", summary.solvers_cost);
     text += agreement_line("and at the same parameters, to 0.05 sigma", summary.solvers_parameters);
     text += fmt::format("\n{:<34}{:>12}{:>12}{:>24}{:>24}{:>24}{:>12}\n", "coverage of 95 % intervals", "bias", "RMSE",
-                        method_names[0], method_names[1], method_names[2], "ranks: p");
+                        uncertainty_names[0], uncertainty_names[1], uncertainty_names[2], "ranks: p");
     for (const ParameterRecovery& row : summary.parameters) {
         text += fmt::format("{:<34}{:>12.3g}{:>12.3g}", info(row.parameter).name, row.bias, row.root_mean_square_error);
         for (const std::optional<Coverage>& coverage : row.coverage) {
@@ -125,11 +124,11 @@ Json recovery_json(const RecoverySummary& summary) {
     Json parameters;
     for (const ParameterRecovery& row : summary.parameters) {
         Json json = {{"bias", row.bias}, {"rmse", row.root_mean_square_error}};
-        for (std::size_t method = 0; method < uncertainty_methods; ++method) {
+        for (std::size_t method = 0; method < uncertainty_method_count; ++method) {
             const std::optional<Coverage>& coverage = row.coverage[method];
             if (!coverage) continue;
             const std::optional<bool> passes = coverage->passes();
-            json["coverage"][method_names[method]] = {
+            json["coverage"][uncertainty_names[method]] = {
                 {"identifiable", coverage->identifiable},
                 {"share", coverage->identifiable > 0 ? Json(coverage->share()) : Json()},
                 {"passes", passes ? Json(*passes) : Json()}};
@@ -169,7 +168,7 @@ PlotSheet recovery_sheet(const std::vector<RecoveredSpectrum>& spectra, const Re
         ranks.panels.push_back(
             {.title = name, .lines = {rank_line(row.ranks), level("uniform", even)}, .swatches = {}});
         SheetPanel panel{.title = name, .lines = {}, .swatches = {}};
-        for (std::size_t method = 0; method < uncertainty_methods; ++method) {
+        for (std::size_t method = 0; method < uncertainty_method_count; ++method) {
             SheetLine line = coverage_line(spectra, column, method);
             if (!line.x.empty()) panel.lines.push_back(std::move(line));
         }

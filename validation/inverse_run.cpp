@@ -57,7 +57,7 @@ InverseStudy run_inverse_study(const Configuration& configuration, Engine simula
     const FitProblem problem = make_problem(complete, spectrum);
     FitProblem simulated = problem;
     ++simulated.only().walk.seed;
-    design.noise = complete.noise;
+    design.noise = complete.noise.value();
     design.seed = complete.seed;
     design.starts = complete.starts;
     design.thorough_starts = 4 * complete.starts;

@@ -24,8 +24,6 @@ struct SimulatedReadings {
 /// an instrument; called from several threads at a time.
 using Simulator = std::function<SimulatedReadings(std::span<const double> values, std::uint64_t number)>;
 
-inline constexpr std::size_t uncertainty_methods = 3;  ///< as in `UncertaintyMethod`
-
 /// The design of a recovery study.
 struct RecoveryDesign {
     std::uint64_t spectra = 1000;
@@ -33,7 +31,7 @@ struct RecoveryDesign {
     std::uint64_t seed = 1;
     std::size_t starts = 8;            ///< of the search that is judged, by Ceres
     std::size_t thorough_starts = 32;  ///< of the one that it is judged by, elsewhere in the box
-    std::array<bool, uncertainty_methods> intervals{true, true, true};  ///< which kinds are computed
+    std::array<bool, uncertainty_method_count> intervals{true, true, true};  ///< which kinds are computed
 };
 
 /// Whoever waits for a recovery study.
@@ -50,7 +48,7 @@ struct RecoveredParameter {
         Status status;
         Bounds interval_95;
     };
-    std::array<std::optional<Interval>, uncertainty_methods> intervals;
+    std::array<std::optional<Interval>, uncertainty_method_count> intervals;
     std::optional<int> rank;  ///< how many of `ranked_draws` draws of the posterior lie below the truth
 };
 

@@ -49,7 +49,7 @@ ParameterRecovery recovery_of(const std::vector<RecoveredSpectrum>& spectra, std
     for (const RecoveredSpectrum& spectrum : spectra) {
         const RecoveredParameter& found = spectrum.parameters[column];
         bool is_first = true;
-        for (std::size_t method = 0; method < uncertainty_methods; ++method) {
+        for (std::size_t method = 0; method < uncertainty_method_count; ++method) {
             const std::optional<RecoveredParameter::Interval>& interval = found.intervals[method];
             if (!interval) continue;
             if (!result.coverage[method]) result.coverage[method] = Coverage{.identifiable = 0, .covered = 0};

@@ -28,7 +28,7 @@ struct ParameterRecovery {
     Parameter parameter;
     double bias;                    ///< mean of estimate - truth, where identifiable by the first kind of interval
     double root_mean_square_error;  ///< of the same
-    std::array<std::optional<Coverage>, uncertainty_methods> coverage;
+    std::array<std::optional<Coverage>, uncertainty_method_count> coverage;
     std::vector<std::size_t> ranks;      ///< of the truth among draws of the posterior, in equal bins
     std::optional<double> rank_p_value;  ///< of Pearson's test that they are equally full; none without a posterior
 };

@@ -16,7 +16,7 @@ FitProblem table_1(const Edition edition) {
     for (double wavelength_nm = 400; wavelength_nm <= 700; wavelength_nm += 10) {
         spectrum.wavelength_nm.push_back(wavelength_nm);
     }
-    const Experiment experiment = make_experiment(configuration, {});
+    const Experiment experiment = make_experiment(configuration);
     for (const Reading& reading : read_by_solver(experiment, spectrum.wavelength_nm)) {
         spectrum.value.push_back(reading.reflectance);
     }

@@ -88,6 +88,7 @@ TEST_F(VocabularyRuns, DescribeSaysWhatAnyOfThemMeans) {
         EXPECT_EQ(outcome.exit_code, 0);
         EXPECT_THAT(outcome.out, testing::StartsWith(name + ": ")) << outcome.err;
     }
+    EXPECT_EQ(run({"describe", "SUSPECT"}).out, run({"describe", "suspect"}).out);
     const Outcome all = run({"describe"});
     EXPECT_THAT(all.out, testing::AllOf(testing::HasSubstr("bilirubin_g_per_l"), testing::HasSubstr("engine")));
     const Outcome refused = run({"describe", "bilirubin"});

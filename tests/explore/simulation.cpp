@@ -12,7 +12,7 @@ using test::Answer;
 using Simulating = test::Asking;
 
 std::vector<Reading> readings_of(const Configuration& configuration, const std::vector<double>& wavelengths_nm) {
-    return read_by_solver(make_experiment(configuration, {}), wavelengths_nm);
+    return read_by_solver(make_experiment(configuration), wavelengths_nm);
 }
 
 TEST_F(Simulating, IsTheReadingOfTheAngularSolver) {

@@ -82,7 +82,7 @@ TEST(Design, LimitsScaleWithTheNoiseWhereTheOthersAreFixed) {
     EXPECT_GT(once.by_best->sigma, once.others_free.sigma);
     EXPECT_EQ(once.best_nm.size(), 3U);
     EXPECT_NEAR(once.others_free.limit / once.others_free.sigma, 2.4865, 1e-4);
-    configuration.noise *= 2.0;
+    configuration.noise = 2.0 * default_noise;
     EXPECT_NEAR(design(configuration, request).others_fixed.sigma / once.others_fixed.sigma, 2.0, 1e-12);
 }
 

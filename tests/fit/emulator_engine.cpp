@@ -31,7 +31,7 @@ Spectrum noisy_spectrum(const Configuration& truth, double sigma, std::uint64_t 
     spectrum.source = "synthetic";
     spectrum.wavelength_nm = grid_nm(400, 700, 10);
     const std::vector<double> normal = normal_numbers(seed, spectrum.wavelength_nm.size());
-    for (const Reading& reading : read_by_solver(make_experiment(truth, {}), spectrum.wavelength_nm)) {
+    for (const Reading& reading : read_by_solver(make_experiment(truth), spectrum.wavelength_nm)) {
         spectrum.value.push_back(reading.reflectance + sigma * normal[spectrum.value.size()]);
     }
     return spectrum;
@@ -90,7 +90,7 @@ TEST(EmulatorEngine, FitsAsTheSolverDoes) {
     for (int number = 1; number <= 5; ++number) {
         Configuration configuration = emulator_configuration(pigments);
         const Spectrum spectrum =
-            noisy_spectrum(specimen(configuration, number), configuration.noise, static_cast<std::uint64_t>(number));
+            noisy_spectrum(specimen(configuration, number), default_noise, static_cast<std::uint64_t>(number));
         const FitResult emulated = fit_spectrum(configuration, spectrum, {.cache = no_cache()});
         configuration.engine = Engine::solver;
         const FitResult solved = fit_spectrum(configuration, spectrum, {.cache = no_cache()});
@@ -126,10 +126,10 @@ struct Bulk {
             spectrum.wavelength_nm = problem.only().wavelength_nm;
             const std::vector<double> normal =
                 normal_numbers(static_cast<std::uint64_t>(number), problem.only().wavelength_nm.size());
-            const Experiment experiment = make_experiment(specimen(configuration, number), {});
+            const Experiment experiment = make_experiment(specimen(configuration, number));
             for (const Reading& reading :
                  read_by_emulator(experiment, problem.only().wavelength_nm, emulator, std::nullopt)) {
-                spectrum.value.push_back(reading.reflectance + configuration.noise * normal[spectrum.value.size()]);
+                spectrum.value.push_back(reading.reflectance + default_noise * normal[spectrum.value.size()]);
             }
             matrix.col(number - 1) =
                 Eigen::Map<const Eigen::VectorXd>(spectrum.value.data(), static_cast<Eigen::Index>(normal.size()));

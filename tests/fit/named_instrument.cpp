@@ -2,13 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/problem.hpp"
 #include "tests/support/refusal.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace skinfit {
 namespace {
+
+using InstrumentFile = test::TemporaryFolder;
 
 std::string refusal(const std::string& text) {
     return test::refusal_of([&] { (void)parse_instrument(text, "i.json"); });
@@ -26,8 +30,8 @@ TEST(NamedInstruments, ThatComeWithTheProgramStateASourceForEverything) {
     EXPECT_EQ(names.size(), 5U);
     for (const std::string& name : names) {
         const NamedInstrument instrument = find_instrument(name, "instrument");  // refuses what has no source
-        EXPECT_TRUE(instrument.incidence_deg) << name;
-        EXPECT_TRUE(instrument.specular) << name;
+        EXPECT_TRUE(instrument.geometry.incidence_deg) << name;
+        EXPECT_TRUE(instrument.geometry.specular) << name;
     }
 }
 
@@ -42,6 +46,18 @@ TEST(NamedInstruments, FillInWhatIsNotSet) {
     EXPECT_EQ(complete.specular, Specular::excluded);
     EXPECT_EQ(complete.bandpass_shape, BandpassShape::triangular);
     EXPECT_EQ(complete.bandpass_width_nm, 10.0);
+}
+
+TEST_F(InstrumentFile, HasTheNoiseWhereNoneIsSet) {
+    std::string text = with(bare, R"("noise": null)", R"("noise": 0.02)");
+    text = with(text, R"("sources": {})", R"("sources": {"noise": "a test"})");
+    write_file_atomically(in_folder("i.json"), text);
+    Configuration configuration = default_configuration();
+    configuration.instrument = (in_folder("i.json")).string();
+    EXPECT_EQ(resolved(configuration, Spectrum{}).noise, 0.02);
+    configuration.noise = default_noise;
+    EXPECT_EQ(resolved(configuration, Spectrum{}).noise, default_noise) << "what is set counts, whatever it is";
+    EXPECT_EQ(resolved(default_configuration(), Spectrum{}).noise, default_noise);
 }
 
 TEST(NamedInstruments, OfAFileCountAfterWhatTheFileStates) {

@@ -27,7 +27,7 @@ Configuration configuration_of(Quantity quantity) {
 
 Eigen::VectorXd readings(const Configuration& configuration) {
     const std::vector<double> wavelengths_nm = parse_wavelengths(configuration.wavelengths, "test");
-    const std::vector<Reading> spectrum = read_by_solver(make_experiment(configuration, {}), wavelengths_nm);
+    const std::vector<Reading> spectrum = read_by_solver(make_experiment(configuration), wavelengths_nm);
     Eigen::VectorXd values(static_cast<Index>(spectrum.size()));
     for (std::size_t i = 0; i < spectrum.size(); ++i) {
         const bool reflected = configuration.quantity == Quantity::reflectance;

@@ -38,7 +38,7 @@ TEST(SolverEngine, JacobianEqualsDifferencesForParametersThatSteer) {
     const Configuration configuration = solver_configuration(free);
     // Within the linear pieces of the tables, not at their corners.
     const std::vector<double> wavelengths_nm = {411.1, 433.3, 455.5, 477.7, 511.1, 544.9, 577.7, 611.1, 641.1};
-    const Spectrum spectrum = spectrum_of(read_by_solver(make_experiment(configuration, {}), wavelengths_nm));
+    const Spectrum spectrum = spectrum_of(read_by_solver(make_experiment(configuration), wavelengths_nm));
     const FitProblem problem = make_problem(configuration, spectrum);
     const Objective objective(problem, AngularSolver(problem.only().experiment.sample(),
                                                      {.incidence_rad = problem.only().experiment.incidence_rad}));
@@ -63,7 +63,7 @@ TEST(SolverEngine, RecoversGeometryWithPigments) {
     truth.values.skin.fibril_radius_nm = 28;
     truth.values.skin.papillary_dermis_thickness_cm = 0.025;
     truth.values.skin.melanosome_fraction = 0.03;
-    const Spectrum spectrum = spectrum_of(read_by_solver(make_experiment(truth, {}), grid_nm(400, 700, 10)));
+    const Spectrum spectrum = spectrum_of(read_by_solver(make_experiment(truth), grid_nm(400, 700, 10)));
     const Configuration start = solver_configuration(
         {Parameter::melanosome_fraction, Parameter::fibril_radius_nm, Parameter::papillary_dermis_thickness_cm});
     const FitResult result = fit_spectrum(start, spectrum, {.cross_check = false, .cache = no_cache()});
@@ -84,7 +84,7 @@ TEST(SolverEngine, ExplainsTheWalkToWithinItsNoise) {
     // Each wavelength has random numbers of its own: the errors are independent, as chi2 supposes.
     for (const double wavelength_nm : grid_nm(400, 700, 20)) {
         const auto seed = static_cast<std::uint64_t>(wavelength_nm);
-        walked.push_back(read_by_walk(make_experiment(truth, {}), {wavelength_nm}, 200'000, seed).front());
+        walked.push_back(read_by_walk(make_experiment(truth), {wavelength_nm}, 200'000, seed).front());
         sigma.push_back(walked.back().reflectance_se);
     }
     Spectrum spectrum = spectrum_of(walked);

@@ -56,7 +56,7 @@ std::vector<double> grid_nm(double first, double last, double step) {
 }
 
 Spectrum modelled_spectrum(const Configuration& truth, const std::vector<double>& wavelengths_nm) {
-    const Experiment experiment = make_experiment(truth, {});
+    const Experiment experiment = make_experiment(truth);
     const bool transmitted = truth.quantity == Quantity::transmittance;
     Spectrum spectrum{.name = "modelled",
                       .source = "modelled.csv",

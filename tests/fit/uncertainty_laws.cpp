@@ -21,7 +21,7 @@ TEST(Uncertainty, IsTheInverseOfTheNormalMatrix) {
     const Minimum minimum = at(starts(task.problem));
     const Uncertainty uncertainty = estimate_uncertainty(task.objective, minimum);
     // The normal equations by Cholesky's method, where the library decomposes the Jacobian by singular values.
-    const Eigen::MatrixXd jacobian = task.objective.model(minimum.values).jacobian / truth.noise;
+    const Eigen::MatrixXd jacobian = task.objective.model(minimum.values).jacobian / truth.noise.value();
     const Eigen::VectorXd norms = jacobian.colwise().norm();
     const Eigen::MatrixXd equal_columns = jacobian * norms.cwiseInverse().asDiagonal();
     const Eigen::MatrixXd normal = equal_columns.transpose() * equal_columns;
@@ -44,7 +44,7 @@ TEST(Uncertainty, ScalesWithTheNoise) {
     Configuration truth = inner_truth(0.001);
     const Spectrum spectrum = modelled_spectrum(truth, grid_nm(400, 700, 10));
     const Task task(truth, spectrum);
-    truth.noise *= 0.5;
+    truth.noise = 0.5 * truth.noise.value();
     const Task half(truth, spectrum);
     const Uncertainty whole = estimate_uncertainty(task.objective, at(starts(task.problem)));
     const Uncertainty halved = estimate_uncertainty(half.objective, at(starts(half.problem)));

@@ -40,7 +40,7 @@ TEST(UncertaintyScatter, SigmaIsTheScatterOfFitsToNoisySpectra) {
     double together = 0.0;                            // squared misses by the whole covariance
     for (std::size_t k = 0; k < spectra; ++k) {
         for (std::size_t i = 0; i < clean.size(); ++i) {
-            task.problem.only().measured[i] = clean[i] + truth.noise * noise[k * clean.size() + i];
+            task.problem.only().measured[i] = clean[i] + truth.noise.value() * noise[k * clean.size() + i];
         }
         const Minimum minimum = minimise_by_ceres(task.objective, true_values);
         const Uncertainty uncertainty = estimate_uncertainty(task.objective, minimum);

@@ -26,7 +26,7 @@ TEST(ViewingCone, DefaultsToTheGeometryOf45_0) {
     EXPECT_NO_THROW(check_viewing_cone(configuration));
     EXPECT_EQ(configuration.incidence_deg, 45.0);
     EXPECT_EQ(configuration.specular, Specular::excluded);
-    const Experiment experiment = make_experiment(configuration, {});
+    const Experiment experiment = make_experiment(configuration);
     EXPECT_DOUBLE_EQ(experiment.viewing_cone_rad.value(), 5 * rad_per_deg);
     EXPECT_EQ(reading_law(experiment, Quantity::reflectance).surface_weight, 0.0);
 }
@@ -82,7 +82,7 @@ TEST(ViewingCone, TheFitFindsWhatWasSeenThroughIt) {
                       .quantity = Quantity::reflectance,
                       .geometry = {},
                       .unit_rule = "as computed"};
-    for (const Reading& reading : read_by_solver(make_experiment(truth, {}), spectrum.wavelength_nm)) {
+    for (const Reading& reading : read_by_solver(make_experiment(truth), spectrum.wavelength_nm)) {
         spectrum.value.push_back(reading.reflectance);
     }
     const Configuration start =

@@ -7,7 +7,10 @@
 #include "core/text.hpp"
 #include "core/vocabulary.hpp"
 #include "fit/settings.hpp"
+#include "measurements/quality_checks.hpp"
 #include "model/parameters.hpp"
+#include "study/fit_status.hpp"
+#include "study/pixel_fitter.hpp"
 #include "tests/house/source_tree.hpp"
 #include "tests/support/known_names.hpp"
 
@@ -85,6 +88,17 @@ TEST(Vocabulary, HoldsNoWordThatIsNotUsed) {
     const std::vector<SourceFile> files = sources();
     for (const Word& word : vocabulary()) EXPECT_TRUE(stands_in(files, word.name)) << word.name;
     EXPECT_FALSE(stands_in(files, "wavelength_n"));
+}
+
+TEST(Vocabulary, HoldsWhatResultsAndFindingsAreCalled) {
+    const Names known = known_names();
+    std::vector<std::string_view> words = {"trustworthy"};
+    for (const std::string_view word : fit_status_names) words.push_back(word);
+    for (const std::string_view word : pixel_reason_names) words.push_back(word);
+    for (const std::string_view word : quality_check_names) words.push_back(word);
+    for (const std::string_view word : words) {
+        EXPECT_TRUE(word == name_of(PixelReason::none) || known.contains(std::string(word))) << word;
+    }
 }
 
 TEST(Vocabulary, IsInOrderAndDefinesNothingTwice) {

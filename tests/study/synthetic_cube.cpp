@@ -60,7 +60,7 @@ SyntheticCube synthetic_cube(std::size_t samples, std::size_t lines, double nois
             cube.truth.back().push_back(value_of(here.values, parameter));
         }
         for (const Reading& reading :
-             read_by_emulator(make_experiment(here, {}), cube.wavelength_nm, emulator, std::nullopt)) {
+             read_by_emulator(make_experiment(here), cube.wavelength_nm, emulator, std::nullopt)) {
             cube.fractions.push_back(reading.reflectance + noise * normal[cube.fractions.size()]);
         }
     }

@@ -22,7 +22,7 @@ Configuration quick_study() {
 }
 
 InverseStudy study(const Configuration& configuration, Engine simulator, std::uint64_t spectra,
-                   const std::array<bool, uncertainty_methods>& intervals) {
+                   const std::array<bool, uncertainty_method_count>& intervals) {
     RecoveryDesign design;
     design.spectra = spectra;
     design.intervals = intervals;
