@@ -56,12 +56,11 @@ void check_wavelengths(const EnviHeader& header, const std::vector<std::size_t>&
     for (const std::size_t band : bands) {
         const double wavelength = header.wavelength_nm[band];
         if (wavelength_range_nm.contains(wavelength)) continue;
-        throw InputError(
-            {.where = header.source,
-             .problem = fmt::format("the wavelength of band {} is {} nm", band + 1, wavelength),
-             .why = fmt::format("it must lie between {} and {} nm", wavelength_range_nm.lowest,
-                                wavelength_range_nm.highest),
-             .remedy = "correct \"wavelength\" or \"wavelength units\", or mark the band as bad in \"bbl\""});
+        throw InputError({.where = header.source,
+                          .problem = fmt::format("the wavelength of band {} is {} nm", band + 1, wavelength),
+                          .why = fmt::format("it must lie between {} and {} nm", wavelength_range_nm.lowest,
+                                             wavelength_range_nm.highest),
+                          .remedy = R"(correct "wavelength" or "wavelength units", or mark the band as bad in "bbl")"});
     }
     const auto twin =
         std::ranges::adjacent_find(bands, {}, [&](std::size_t band) { return header.wavelength_nm[band]; });
