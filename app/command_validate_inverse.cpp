@@ -95,10 +95,14 @@ int run(const ValidateInverseCommand& command, Session& session) {
 
 void add_validate_inverse_command(CLI::App& validate, Session& session) {
     const auto command = std::make_shared<ValidateInverseCommand>();
+    const Configuration defaults = study_configuration();
+    const Bounds melanosomes = defaults.bounds[static_cast<std::size_t>(Parameter::melanosome_fraction)];
+    const Bounds blood = defaults.bounds[static_cast<std::size_t>(Parameter::papillary_blood_fraction)];
     CLI::App* const inverse = validate.add_subcommand(
         "inverse",
-        "fit synthetic spectra of known skin, and count how often intervals cover it; unless configured, their noise "
-        "is 0.003, and 0.01 to 0.08 of the epidermis are melanosomes, 0.002 to 0.07 of the dermis blood");
+        fmt::format("fit synthetic spectra of known skin, and count how often intervals cover it; unless configured, "
+                    "their noise is {}, and {} to {} of the epidermis are melanosomes, {} to {} of the dermis blood",
+                    defaults.noise.value(), melanosomes.lower, melanosomes.upper, blood.lower, blood.upper));
     inverse->add_option("--output", command->output, "folder for recovery.csv, two pictures and summary.json")
         ->type_name("FOLDER")
         ->capture_default_str();

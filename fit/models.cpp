@@ -1,10 +1,10 @@
 #include "fit/models.hpp"
 
+#include <stdexcept>
+
 #include "fit/emulation.hpp"
 #include "model/emulator_cache.hpp"
 #include "model/ensemble_cache.hpp"
-
-#include <stdexcept>
 
 namespace skinfit {
 

@@ -11,7 +11,6 @@
 #include "core/geometry.hpp"
 #include "core/input_error.hpp"
 #include "core/text.hpp"
-#include "measurements/limits.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {

@@ -10,7 +10,6 @@
 #include "measurements/cube_mean.hpp"
 #include "measurements/cube_region.hpp"
 #include "measurements/envi_files.hpp"
-#include "measurements/limits.hpp"
 #include "measurements/spectral_cube.hpp"
 #include "measurements/unit_rule.hpp"
 

@@ -9,7 +9,6 @@
 #include "core/input_error.hpp"
 #include "fit/fit.hpp"
 #include "fit/inspection.hpp"
-#include "fit/named_instrument.hpp"
 #include "fit/report.hpp"
 #include "measurements/text_reader.hpp"
 
@@ -83,12 +82,13 @@ StudiedSpectrum SpectrumFitter::fit_it(const Spectrum& spectrum) {
     if (const Finding* const finding = rejecting(findings, study_->accept)) {
         return {.status = FitStatus::rejected, .reason = fmt::format("{}: {}", finding->name, finding->message)};
     }
-    StudiedSpectrum studied = described(
+    const FitResult result =
         fit_spectra(configuration, only,
                     {.cache = cache_, .findings = findings, .models = [this](const auto& problem, Engine engine) {
                          return shelf_.models(problem, engine);
-                     }}));
-    studied.indices = indices_of(spectrum, resolved(configuration, spectrum).noise.value());
+                     }});
+    StudiedSpectrum studied = described(result);
+    studied.indices = indices_of(spectrum, result.configuration.noise.value());
     return studied;
 }
 

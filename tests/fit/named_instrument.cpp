@@ -53,7 +53,7 @@ TEST_F(InstrumentFile, HasTheNoiseWhereNoneIsSet) {
     text = with(text, R"("sources": {})", R"("sources": {"noise": "a test"})");
     write_file_atomically(in_folder("i.json"), text);
     Configuration configuration = default_configuration();
-    configuration.instrument = (in_folder("i.json")).string();
+    configuration.instrument = in_folder("i.json").string();
     EXPECT_EQ(resolved(configuration, Spectrum{}).noise, 0.02);
     configuration.noise = default_noise;
     EXPECT_EQ(resolved(configuration, Spectrum{}).noise, default_noise) << "what is set counts, whatever it is";
