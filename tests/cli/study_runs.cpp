@@ -113,6 +113,19 @@ TEST_F(StudyRuns, ChangedInputsAndSettingsAreFittedAgain) {
         << other.err;
 }
 
+TEST_F(StudyRuns, TheReportSaysWhichNoiseWasTaken) {
+    put("stated.json", R"({"inputs": ["spectra.csv"], "fit": {"noise": 0.02}, "output": "stated"})");
+    put("bare.json", R"({"inputs": ["spectra.csv"], "output": "bare"})");
+    for (const auto& [name, noise] :
+         {std::pair("stated", "0.02<"), std::pair("bare", "as the files state it, else 0.006<")}) {
+        const std::string file = fmt::format("{}.json", name);
+        EXPECT_LE(run({"study", "run", file}).exit_code, 1);
+        EXPECT_LE(run({"study", "report", file}).exit_code, 1);
+        const std::string page = read_file(folder() / name / "report.html");
+        EXPECT_NE(page.find(fmt::format("<dt>noise</dt><dd>{}", noise)), std::string::npos) << name;
+    }
+}
+
 TEST_F(StudyRuns, ASecondRunOfTheSameStudyIsRefused) {
     put_study("whole", R"(["spectra.csv"])");
     const StartedProgram first = started("whole");
