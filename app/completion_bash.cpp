@@ -11,7 +11,7 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 /// The lines that offer values.
-std::string offer(const OptionWords& option, const CompletedNames& names) {
+std::string bash_offer(const OptionWords& option, const CompletedNames& names) {
     const OfferedValues values = offered_values(option, names);
     switch (values.kind) {
         case OfferedValues::Kind::nothing:
@@ -35,14 +35,14 @@ std::string command_arm(const CommandWords& command, const CompletedNames& names
     std::string positional = ":";
     for (const OptionWords& option : command.options) {
         if (option.names.empty()) {
-            const std::string offered = offer(option, names);
+            const std::string offered = bash_offer(option, names);
             if (!offered.empty()) positional = offered;
             continue;
         }
         options.push_back(main_name(option));
         if (option.argument.empty()) continue;
         arms += fmt::format("                {}) {}; return ;;\n", fmt::join(option.names, "|"),
-                            offer(option, names).empty() ? ":" : offer(option, names));
+                            bash_offer(option, names).empty() ? ":" : bash_offer(option, names));
     }
     return fmt::format(
         "        \"{}\")\n            case \"$previous\" in\n{}            esac\n"
@@ -67,7 +67,7 @@ std::string arms_of(const CommandWords& command, const CompletedNames& names) {
     return text;
 }
 
-constexpr std::string_view beginning = R"(# bash completion for skinfit
+constexpr std::string_view bash_beginning = R"(# bash completion for skinfit
 
 # One of some words, or another one after those of a list.
 _skinfit_words() {
@@ -95,7 +95,7 @@ std::string bash_completion(const CommandWords& program, const CompletedNames& n
     for (const CommandWords& each : program.commands) {
         if (!each.commands.empty()) branches.push_back(each.name);
     }
-    std::string text(beginning);
+    std::string text(bash_beginning);
     text += fmt::format(
         "    case \"$command\" in {}) if ((COMP_CWORD > 2)); then command+=\" ${{COMP_WORDS[2]}}\"; fi ;; esac\n",
         fmt::join(branches, "|"));

@@ -8,7 +8,7 @@
 namespace skinfit {
 namespace {
 
-std::string in_quotes(std::string_view text) {
+std::string fish_quotes(std::string_view text) {
     std::string escaped = "'";
     for (const char c : text) {
         if (c == '\'' || c == '\\') escaped += '\\';
@@ -18,7 +18,7 @@ std::string in_quotes(std::string_view text) {
 }
 
 /// The flags of `complete` that offer values.
-std::string offer(const OptionWords& option, const CompletedNames& names) {
+std::string fish_offer(const OptionWords& option, const CompletedNames& names) {
     const OfferedValues values = offered_values(option, names);
     switch (values.kind) {
         case OfferedValues::Kind::nothing:
@@ -28,9 +28,9 @@ std::string offer(const OptionWords& option, const CompletedNames& names) {
         case OfferedValues::Kind::folders:
             return " -x -a '(__fish_complete_directories)'";
         case OfferedValues::Kind::words:
-            return " -x -a " + in_quotes(fmt::format("{}", fmt::join(values.words, " ")));
+            return " -x -a " + fish_quotes(fmt::format("{}", fmt::join(values.words, " ")));
         case OfferedValues::Kind::assignments:
-            return " -x -a " + in_quotes(fmt::format("{}=", fmt::join(values.words, "= ")));
+            return " -x -a " + fish_quotes(fmt::format("{}=", fmt::join(values.words, "= ")));
     }
     return "";
 }
@@ -38,31 +38,31 @@ std::string offer(const OptionWords& option, const CompletedNames& names) {
 std::string option_line(const std::string& condition, const OptionWords& option, const CompletedNames& names) {
     std::string line = fmt::format("complete -c skinfit -n {}", condition);
     if (option.names.empty()) {
-        const std::string offered = offer(option, names);
+        const std::string offered = fish_offer(option, names);
         return offered.empty() ? "" : line + offered + "\n";
     }
     for (const std::string& name : option.names) {
         line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
     }
-    if (!option.argument.empty()) line += offer(option, names);
-    return line + " -d " + in_quotes(option.meaning) + "\n";
+    if (!option.argument.empty()) line += fish_offer(option, names);
+    return line + " -d " + fish_quotes(option.meaning) + "\n";
 }
 
 std::string lines_of(const CommandWords& command, const CompletedNames& names) {
-    const std::string condition = in_quotes(command.name.empty() ? "__skinfit_at" : "__skinfit_at " + command.name);
+    const std::string condition = fish_quotes(command.name.empty() ? "__skinfit_at" : "__skinfit_at " + command.name);
     std::string text;
     for (const OptionWords& option : command.options) text += option_line(condition, option, names);
     for (const CommandWords& each : command.commands) {
         const std::string word = each.name.substr(command.name.empty() ? 0 : command.name.size() + 1);
         text += fmt::format("complete -c skinfit -n {} -a {} -d {}\n",
-                            in_quotes(command.name.empty() ? "__skinfit_only" : "__skinfit_only " + command.name), word,
-                            in_quotes(each.meaning));
+                            fish_quotes(command.name.empty() ? "__skinfit_only" : "__skinfit_only " + command.name),
+                            word, fish_quotes(each.meaning));
         text += lines_of(each, names);
     }
     return text;
 }
 
-constexpr std::string_view beginning = R"(# fish completion for skinfit
+constexpr std::string_view fish_beginning = R"(# fish completion for skinfit
 
 # Whether the words typed so far begin with these, after the program's name.
 function __skinfit_at
@@ -83,7 +83,7 @@ complete -c skinfit -f
 }  // namespace
 
 std::string fish_completion(const CommandWords& program, const CompletedNames& names) {
-    return std::string(beginning) + lines_of(program, names);
+    return std::string(fish_beginning) + lines_of(program, names);
 }
 
 }  // namespace skinfit

@@ -16,7 +16,7 @@ std::string as_identifier(std::string command) {
 }
 
 /// Within single quotes, where brackets and colons have a meaning to `_arguments` and `_describe`.
-std::string in_quotes(std::string_view text) {
+std::string zsh_quotes(std::string_view text) {
     std::string escaped;
     for (const char c : text) {
         if (c == '[' || c == ']' || c == ':' || c == '\\') escaped += '\\';
@@ -45,10 +45,10 @@ std::string action_of(const OptionWords& option, const CompletedNames& names) {
 /// One specification of `_arguments`.
 std::string specification(const OptionWords& option, const CompletedNames& names) {
     const std::string value =
-        option.argument.empty() ? "" : fmt::format(":{}:{}", in_quotes(option.argument), action_of(option, names));
+        option.argument.empty() ? "" : fmt::format(":{}:{}", zsh_quotes(option.argument), action_of(option, names));
     if (!option.names.empty()) {
         return fmt::format("        '{}{}[{}]{}' \\\n", option.repeats ? "*" : "", main_name(option),
-                           in_quotes(option.meaning), value);
+                           zsh_quotes(option.meaning), value);
     }
     return fmt::format("        '{}{}' \\\n", option.repeats ? "*" : (option.required ? "" : ":"), value);
 }
@@ -68,7 +68,7 @@ std::string branch_function(const CommandWords& command) {
     std::string arms;
     for (const CommandWords& each : command.commands) {
         const std::string word = each.name.substr(command.name.empty() ? 0 : command.name.size() + 1);
-        text += fmt::format("                '{}:{}'\n", word, in_quotes(each.meaning));
+        text += fmt::format("                '{}:{}'\n", word, zsh_quotes(each.meaning));
         arms += fmt::format("                {}) _skinfit_{} ;;\n", word, as_identifier(each.name));
     }
     return text + "            )\n            _describe command commands\n            ;;\n        rest)\n" +

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "bench/stopwatch.hpp"
+#include "bench/threads.hpp"
 #include "bench/work.hpp"
 #include "core/file.hpp"
 #include "fit/bulk.hpp"
@@ -33,10 +34,6 @@ double cost(const std::function<void()>& call) {
 void add(PlotLine& line, double x, double y) {
     line.x.push_back(x);
     line.y.push_back(y);
-}
-
-PathEnsemble recorded(const FitProblem& problem) {
-    return PathEnsemble::trace(problem.only().experiment.sample(), problem.only().wavelength_nm, problem.only().walk);
 }
 
 FitProblem problem_with(const Configuration& configuration, const std::vector<double>& wavelengths_nm) {

@@ -26,7 +26,7 @@ struct EmulatorHeader {
 };
 static_assert(std::is_trivially_copyable_v<EmulatorHeader> && std::is_trivially_copyable_v<Emulator::Group>);
 
-constexpr std::string_view format = "skinfit emul. 1\n";
+constexpr std::string_view emulator_format = "skinfit emul. 1\n";
 
 }  // namespace
 
@@ -54,11 +54,11 @@ void write_emulator_file(const std::filesystem::path& path, std::string_view key
     const std::array bytes = {bytes_of(std::span<const EmulatorHeader>(&header, 1)),
                               bytes_of(std::span<const Emulator::Group>(parts.groups)), bytes_of(parts.coefficients),
                               bytes_of(parts.counts)};
-    write_stored_file(path, format, key, bytes, stop);
+    write_stored_file(path, emulator_format, key, bytes, stop);
 }
 
 std::variant<Emulator, Unusable> read_emulator_file(const std::filesystem::path& path, std::string_view key) {
-    const auto stored = read_stored_file(path, format, key);
+    const auto stored = read_stored_file(path, emulator_format, key);
     if (const auto* const unusable = std::get_if<Unusable>(&stored)) return *unusable;
     const auto& [bytes, owner] = std::get<StoredData>(stored);
     EmulatorHeader header{};

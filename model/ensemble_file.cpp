@@ -17,7 +17,7 @@ struct EnsembleHeader {
 };
 static_assert(std::is_trivially_copyable_v<EnsembleHeader> && std::is_trivially_copyable_v<PathEnsemble::Segments>);
 
-constexpr std::string_view format = "skinfit paths 2\n";
+constexpr std::string_view recording_format = "skinfit paths 2\n";
 
 }  // namespace
 
@@ -30,11 +30,11 @@ void write_ensemble_file(const std::filesystem::path& path, std::string_view key
                                 .surface_share = ensemble.surface_share()};
     const std::array parts = {bytes_of(std::span<const EnsembleHeader>(&header, 1)), bytes_of(recording.segments),
                               bytes_of(recording.lengths)};
-    write_stored_file(path, format, key, parts, stop);
+    write_stored_file(path, recording_format, key, parts, stop);
 }
 
 std::variant<PathEnsemble, Unusable> read_ensemble_file(const std::filesystem::path& path, std::string_view key) {
-    const auto stored = read_stored_file(path, format, key);
+    const auto stored = read_stored_file(path, recording_format, key);
     if (const auto* const unusable = std::get_if<Unusable>(&stored)) return *unusable;
     const auto& [bytes, owner] = std::get<StoredData>(stored);
     EnsembleHeader header{};

@@ -11,8 +11,8 @@ namespace skinfit {
 namespace {
 
 // Pixels.
-constexpr int cell_width = 310;
-constexpr int cell_height = 220;
+constexpr int panel_width = 310;
+constexpr int panel_height = 220;
 constexpr std::size_t most_columns = 3;
 
 /// One parameter with its draws.
@@ -38,12 +38,12 @@ std::vector<Marginals> marginals_of(const FitResult& result) {
 }
 
 std::string cell_script(const Marginals& each, std::size_t number, std::size_t columns, std::size_t rows) {
-    const double width = static_cast<double>(columns) * cell_width;
-    const double height = static_cast<double>(rows) * cell_height;
+    const double width = static_cast<double>(columns) * panel_width;
+    const double height = static_cast<double>(rows) * panel_height;
     const std::size_t column = number % columns;
     const std::size_t row = number / columns;
-    const double left = static_cast<double>(column) * cell_width;
-    const double top = static_cast<double>(row) * cell_height;
+    const double left = static_cast<double>(column) * panel_width;
+    const double top = static_cast<double>(row) * panel_height;
     const Histogram& bars = each.histogram;
     const double highest = *std::ranges::max_element(bars.share);
     const auto line = [&](double at, const char* look) {
@@ -53,8 +53,8 @@ std::string cell_script(const Marginals& each, std::size_t number, std::size_t c
            fmt::format(
                "set lmargin at screen {}\nset rmargin at screen {}\nset tmargin at screen {}\nset bmargin at screen "
                "{}\nset title {} offset 0,-0.5\nset xrange [{}:{}]\nset yrange [0:{}]\n",
-               (left + 15) / width, (left + cell_width - 20) / width, 1.0 - (top + 30) / height,
-               1.0 - (top + cell_height - 45) / height, gnuplot_string(each.name),
+               (left + 15) / width, (left + panel_width - 20) / width, 1.0 - (top + 30) / height,
+               1.0 - (top + panel_height - 45) / height, gnuplot_string(each.name),
                bars.centre.front() - 0.5 * bars.bin_width, bars.centre.back() + 0.5 * bars.bin_width, 1.1 * highest) +
            line(each.interval_95.lower, "dashtype 2 linewidth 1.5 linecolor rgb '#252525'") +
            line(each.interval_95.upper, "dashtype 2 linewidth 1.5 linecolor rgb '#252525'") +
@@ -88,8 +88,8 @@ std::string posterior_picture(const FitResult& result) {
     if (all.empty()) return {};
     const std::size_t columns = std::min(all.size(), most_columns);
     const std::size_t rows = (all.size() + columns - 1) / columns;
-    const PictureSize size{.width = static_cast<int>(columns) * cell_width,
-                           .height = static_cast<int>(rows) * cell_height};
+    const PictureSize size{.width = static_cast<int>(columns) * panel_width,
+                           .height = static_cast<int>(rows) * panel_height};
     std::string script = "set encoding utf8\n" + gnuplot_terminal("posterior.svg", size) +
                          "unset ytics\nset border 1\nset xtics nomirror out format '%g' font 'sans,11'\n"
                          "set multiplot\n";

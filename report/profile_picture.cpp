@@ -13,10 +13,10 @@ namespace skinfit {
 namespace {
 
 // Pixels.
-constexpr int cell_width = 310;
-constexpr int cell_height = 220;
-constexpr int legend_height = 34;
-constexpr int left_margin = 52;
+constexpr int curve_width = 310;
+constexpr int curve_height = 220;
+constexpr int curve_legend_height = 34;
+constexpr int curve_left_margin = 52;
 constexpr std::size_t columns = 3;
 
 constexpr double highest_rise = 6.0;  // that is drawn; the threshold is at most 3.84
@@ -102,21 +102,21 @@ std::string lines_script(const FittedParameter& fitted, const ProfileCurve& curv
 /// As wide as the legend, however few cells there are.
 PictureSize size_for(std::size_t cells) {
     const auto rows = static_cast<int>((cells + columns - 1) / columns);
-    return {.width = static_cast<int>(columns) * cell_width, .height = rows * cell_height + legend_height};
+    return {.width = static_cast<int>(columns) * curve_width, .height = rows * curve_height + curve_legend_height};
 }
 
 std::string cell_script(const FittedParameter& fitted, const ProfileCurve& curve, std::size_t number,
                         const PictureSize& size) {
     const std::size_t column = number % columns;
     const std::size_t row = number / columns;
-    const double left = static_cast<double>(column) * cell_width;
-    const double top = legend_height + static_cast<double>(row) * cell_height;
+    const double left = static_cast<double>(column) * curve_width;
+    const double top = curve_legend_height + static_cast<double>(row) * curve_height;
     const Bounds range = range_of(fitted);
     std::string script = fmt::format(
         "set lmargin at screen {}\nset rmargin at screen {}\nset tmargin at screen {}\nset bmargin at screen {}\n"
         "set title {} offset 0,-0.5\nset xrange [{}:{}]\nset xtics {}\nset ylabel '{}' offset 1.8,0\n",
-        (left + left_margin) / size.width, (left + cell_width - 20) / size.width, 1.0 - (top + 30) / size.height,
-        1.0 - (top + cell_height - 40) / size.height, gnuplot_string(fitted.name), range.lower, range.upper,
+        (left + curve_left_margin) / size.width, (left + curve_width - 20) / size.width, 1.0 - (top + 30) / size.height,
+        1.0 - (top + curve_height - 40) / size.height, gnuplot_string(fitted.name), range.lower, range.upper,
         tic_step(2.0 * (range.upper - range.lower)), number % columns == 0 ? "cost rise" : "");
     for (const double end : {fitted.uncertainty.interval_95.lower, fitted.uncertainty.interval_95.upper}) {
         script += fmt::format("set arrow from first {0},graph 0 to first {0},graph 1 nohead back {1}\n", end, end_look);
@@ -127,10 +127,10 @@ std::string cell_script(const FittedParameter& fitted, const ProfileCurve& curve
 
 /// What the lines mean, above the cells; it goes with the first of them.
 std::string legend_script(const PictureSize& size) {
-    const double y = 1.0 - 0.5 * legend_height / size.height;
+    const double y = 1.0 - 0.5 * curve_legend_height / size.height;
     const auto place = [&](double pixels) { return fmt::format("screen {},screen {}", pixels / size.width, y); };
     std::string script;
-    double x = left_margin;
+    double x = curve_left_margin;
     const auto add = [&](const char* look, const char* words, double width) {
         script += fmt::format("set arrow from {} to {} nohead {}\nset label '{}' at {} left\n", place(x),
                               place(x + 26.0), look, words, place(x + 33.0));

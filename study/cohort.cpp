@@ -20,7 +20,7 @@
 namespace skinfit {
 namespace {
 
-const std::string example = "configs/cohort_power.json, which comes with skinfit, is an example";
+const std::string cohort_example = "configs/cohort_power.json, which comes with skinfit, is an example";
 
 /// Settings that the cohort itself states, or that a simulation has no use for.
 void refuse_misplaced(const std::string& key, const std::string& where) {
@@ -50,11 +50,11 @@ Configuration read_model(const Json& json, const std::string& where) {
     configuration.noise = configuration.noise.value_or(cohort_noise);
     if (json.contains("model")) {
         const std::string here = where + ": model";
-        require_object(json["model"], here, example);
+        require_object(json["model"], here, cohort_example);
         for (const auto& [key, value] : json["model"].items()) refuse_misplaced(key, here);
         std::vector<std::string_view> known(model_settings().begin(), model_settings().end());
         known.emplace_back("parameters");
-        require_names(json["model"], known, {{}, "", example}, here);
+        require_names(json["model"], known, {{}, "", cohort_example}, here);
         configuration = configured(std::move(configuration), json["model"], here);
     }
     if (configuration.engine == Engine::walk) {
@@ -102,7 +102,7 @@ void take_metadata(Cohort& cohort, CohortGroup& group, const Json& metadata, con
 CohortGroup read_group(Cohort& cohort, const Json& json, const Json& population, const std::string& where) {
     constexpr std::uint64_t most_subjects = 1'000'000;
     require_names(json, {"name", "subjects", "population", "metadata"},
-                  {{"name", "subjects"}, "a group cannot do without it", example}, where);
+                  {{"name", "subjects"}, "a group cannot do without it", cohort_example}, where);
     CohortGroup group{.name = read_cell(json["name"], where + ".name"),
                       .subjects = read_count(json["subjects"], 1, most_subjects, where + ".subjects"),
                       .configuration = {},
@@ -177,12 +177,12 @@ Cohort read_cohort(const Json& json, const std::string& where) {
     require_names(json,
                   {"name", "description", "seed", "wavelengths", "noise", "discrepancy", "repeats", "model",
                    "population", "groups", "labels", "study", "sources"},
-                  {{"name", "groups"}, "a cohort cannot do without it", example}, where);
+                  {{"name", "groups"}, "a cohort cannot do without it", cohort_example}, where);
     for (const char* key : {"population", "labels", "study", "sources"}) {
-        if (json.contains(key)) require_object(json[key], where + ": " + key, example);
+        if (json.contains(key)) require_object(json[key], where + ": " + key, cohort_example);
     }
     if (!json["groups"].is_array() || json["groups"].empty()) {
-        refuse(where + ": groups", json["groups"], "a list of at least one group is needed", example);
+        refuse(where + ": groups", json["groups"], "a list of at least one group is needed", cohort_example);
     }
     Cohort cohort{.name = read_cell(json["name"], where + ": name"),
                   .repeats = read_count(entry(json, "repeats", 1), 1, most_repeats, where + ": repeats"),

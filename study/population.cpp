@@ -10,7 +10,7 @@
 namespace skinfit {
 namespace {
 
-const std::string example =
+const std::string population_example =
     R"(write it as in {"melanosome_fraction": {"kind": "log_normal", "median": 0.05, "sigma_log": 0.5}})";
 
 /// One entry as the configuration takes it: the prior, and the limits taken out of it.
@@ -55,7 +55,7 @@ Configuration with_parameter(Configuration configuration, Parameter parameter, c
 
 Configuration with_population(Configuration configuration, const Json& population, const std::string& where) {
     const std::vector<std::string_view> known = prior_names();
-    require_object(population, where, example);
+    require_object(population, where, population_example);
     for (const auto& [name, value] : population.items()) {
         if (std::ranges::find(known, name) == known.end()) refuse_unknown(where, name, known);
         if (const std::optional<Parameter> parameter = find_parameter(name)) {

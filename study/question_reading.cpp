@@ -13,8 +13,6 @@
 namespace skinfit {
 namespace {
 
-const std::string example = "configs/study_example.json, which comes with skinfit, is an example";
-
 std::string word(const Json& json, std::string_view key, const std::string& where) {
     const Json& value = json.at(key);
     if (value.is_string() && !value.get<std::string>().empty()) return value.get<std::string>();
@@ -22,7 +20,7 @@ std::string word(const Json& json, std::string_view key, const std::string& wher
 }
 
 const Json& list(const Json& json, const std::string& where) {
-    if (!json.is_array()) refuse(where, json, "a list is needed", example);
+    if (!json.is_array()) refuse(where, json, "a list is needed", study_example);
     return json;
 }
 
@@ -44,13 +42,13 @@ std::string read_quantity(const Json& json, const std::string& where) {
 }
 
 ReferenceSite read_site(const Json& json, const std::string& where) {
-    require_names(json, {"same", "where"}, {{"same", "where"}, "a reference needs both", example}, where);
+    require_names(json, {"same", "where"}, {{"same", "where"}, "a reference needs both", study_example}, where);
     ReferenceSite site{.same = word(json, "same", where), .where = {}};
-    require_object(json["where"], where + ".where", example);
+    require_object(json["where"], where + ".where", study_example);
     for (const auto& [name, value] : json["where"].items()) {
         site.where.emplace_back(name, word(json["where"], name, where + ".where"));
     }
-    if (site.where.empty()) refuse(where + ".where", json["where"], "it chooses nothing", example);
+    if (site.where.empty()) refuse(where + ".where", json["where"], "it chooses nothing", study_example);
     return site;
 }
 
@@ -64,7 +62,7 @@ double read_threshold(const Json& value, const std::string& quantity, const std:
 
 Indicator read_indicator(const Json& json, const std::string& where) {
     require_names(json, {"name", "parameter", "index", "above", "below", "source"},
-                  {{"name", "source"}, "a reader must see what is asked, and why there", example}, where);
+                  {{"name", "source"}, "a reader must see what is asked, and why there", study_example}, where);
     if (json.contains("above") == json.contains("below")) {
         refuse(where, json, R"(either "above" or "below" is needed)", "give one of the two");
     }
@@ -105,13 +103,14 @@ std::vector<Assessment> read_assessments(const Json& json, const std::vector<Ind
     std::vector<Assessment> assessments;
     for (const Json& each : list(json, where)) {
         const std::string here = fmt::format("{}[{}]", where, assessments.size());
-        require_object(each, here, example);
+        require_object(each, here, study_example);
         Assessment assessment;
         if (each.contains("indicator")) {
             require_names(each, {"indicator", "label", "positive", "thresholds"},
-                          {{"label", "positive"}, "an indicator is compared with a label", example}, here);
+                          {{"label", "positive"}, "an indicator is compared with a label", study_example}, here);
             assessment.name = word(each, "indicator", here);
-            if (known.empty()) refuse(here + ".indicator", each["indicator"], "the study has no indicators", example);
+            if (known.empty())
+                refuse(here + ".indicator", each["indicator"], "the study has no indicators", study_example);
             if (std::ranges::find(known, assessment.name) == known.end()) {
                 refuse_unknown(here + ".indicator", assessment.name, known);
             }
@@ -126,7 +125,7 @@ std::vector<Assessment> read_assessments(const Json& json, const std::vector<Ind
             }
         } else {
             require_names(each, {"parameter", "index", "reference"},
-                          {{"reference"}, "estimates are compared with numbers", example}, here);
+                          {{"reference"}, "estimates are compared with numbers", study_example}, here);
             assessment.name = read_quantity(each, here);
             assessment.is_indicator = false;
             assessment.metadata = word(each, "reference", here);

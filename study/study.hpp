@@ -14,6 +14,9 @@
 /// Studies: many spectra and whole hyperspectral images, described by one file.
 namespace skinfit {
 
+/// What refusals of study files point at.
+inline constexpr const char* study_example = "configs/study_example.json, which comes with skinfit, is an example";
+
 /// What is known of a spectrum beside its values, such as its subject: names and words, in the order of their source.
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 

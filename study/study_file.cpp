@@ -19,8 +19,6 @@
 namespace skinfit {
 namespace {
 
-const std::string example = "configs/study_example.json, which comes with skinfit, is an example";
-
 std::vector<std::string> read_words(const Json& json, std::string_view key, const std::string& where) {
     std::vector<std::string> words;
     if (!json.contains(key)) return words;
@@ -104,11 +102,11 @@ void check_map_names(const std::vector<StudyCube>& cubes, const std::string& whe
 
 Study parse_study(std::string_view text, const std::filesystem::path& path, const std::filesystem::path& data) {
     const std::string where = path.string();
-    const Json json = parsed_json(text, where, example);
+    const Json json = parsed_json(text, where, study_example);
     require_names(
         json,
         {"name", "inputs", "instrument", "fit", "accept", "group_by", "repeats_of", "indicators", "assess", "output"},
-        {{"inputs", "output"}, "a study cannot do without it", example}, where);
+        {{"inputs", "output"}, "a study cannot do without it", study_example}, where);
     const std::filesystem::path folder = path.parent_path();
     Study study;
     study.file = path;

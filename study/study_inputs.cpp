@@ -20,8 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string example = "configs/study_example.json, which comes with skinfit, is an example";
-
 std::string word(const Json& value, const std::string& where) {
     if (value.is_string() && !value.get<std::string>().empty()) return value.get<std::string>();
     refuse(where, value, "a word is needed", "write it between double quotes");
@@ -67,10 +65,10 @@ std::string source_of(const fs::path& path, const fs::path& named, const fs::pat
 Metadata read_metadata(const Json& json, const std::string& where) {
     Metadata metadata;
     if (!json.contains("metadata")) return metadata;
-    require_object(json["metadata"], where + ".metadata", example);
+    require_object(json["metadata"], where + ".metadata", study_example);
     for (const auto& [name, value] : json["metadata"].items()) {
         if (value.is_structured() || value.is_null()) {
-            refuse(fmt::format("{}.metadata.{}", where, name), value, "a word or a number is needed", example);
+            refuse(fmt::format("{}.metadata.{}", where, name), value, "a word or a number is needed", study_example);
         }
         metadata.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
     }
@@ -80,11 +78,11 @@ Metadata read_metadata(const Json& json, const std::string& where) {
 std::optional<NamePattern> read_pattern(const Json& json, const std::string& where) {
     if (!json.contains("names")) return std::nullopt;
     const std::string here = where + ".names";
-    require_names(json["names"], {"pattern", "fields"}, {{"pattern", "fields"}, "names are read by both", example},
-                  here);
+    require_names(json["names"], {"pattern", "fields"},
+                  {{"pattern", "fields"}, "names are read by both", study_example}, here);
     NamePattern pattern{.expression = word(json["names"]["pattern"], here + ".pattern"), .fields = {}};
     const Json& fields = json["names"]["fields"];
-    if (!fields.is_array()) refuse(here + ".fields", fields, "a list of words is needed", example);
+    if (!fields.is_array()) refuse(here + ".fields", fields, "a list of words is needed", study_example);
     for (const Json& field : fields) {
         const std::string name = word(field, here + ".fields");
         if (std::ranges::find(pattern.fields, name) != pattern.fields.end()) {
@@ -119,7 +117,7 @@ std::vector<std::string> patterns_of(const Json& value, const std::string& where
     if (!value.is_array()) return {word(value, where)};
     std::vector<std::string> patterns;
     for (const Json& each : value) patterns.push_back(word(each, where));
-    if (patterns.empty()) refuse(where, value, "it names no file", example);
+    if (patterns.empty()) refuse(where, value, "it names no file", study_example);
     return patterns;
 }
 
@@ -135,7 +133,7 @@ StudyFile common_file(const Json& json, const std::string& where) {
 }
 
 void add_files(const Json& json, const fs::path& folder, const std::string& where, StudyInputs& inputs) {
-    require_names(json, {"files", "unit", "reader", "metadata", "names"}, {{}, "", example}, where);
+    require_names(json, {"files", "unit", "reader", "metadata", "names"}, {{}, "", study_example}, where);
     const StudyFile common = common_file(json, where);
     for (const std::string& pattern : patterns_of(json["files"], where + ".files")) {
         for (const fs::path& path : matches(pattern, folder, where + ".files")) {
@@ -147,7 +145,7 @@ void add_files(const Json& json, const fs::path& folder, const std::string& wher
 }
 
 void add_manifest(const Json& json, const fs::path& folder, const std::string& where, StudyInputs& inputs) {
-    require_names(json, {"manifest", "unit", "reader", "metadata"}, {{}, "", example}, where);
+    require_names(json, {"manifest", "unit", "reader", "metadata"}, {{}, "", study_example}, where);
     const StudyFile common = common_file(json, where);
     const fs::path named = word(json["manifest"], where + ".manifest");
     const fs::path path = folder / named;
@@ -167,7 +165,7 @@ void add_manifest(const Json& json, const fs::path& folder, const std::string& w
 }
 
 void add_cubes(const Json& json, const fs::path& folder, const std::string& where, StudyInputs& inputs) {
-    require_names(json, {"cube", "mask", "rectangle", "unit", "metadata"}, {{}, "", example}, where);
+    require_names(json, {"cube", "mask", "rectangle", "unit", "metadata"}, {{}, "", study_example}, where);
     StudyCube common{
         .source = {}, .path = {}, .unit = read_unit(json, where), .region = {}, .metadata = read_metadata(json, where)};
     if (json.contains("mask")) common.region.mask = folder / word(json["mask"], where + ".mask");
@@ -186,7 +184,7 @@ void add_cubes(const Json& json, const fs::path& folder, const std::string& wher
 }  // namespace
 
 StudyInputs read_inputs(const Json& json, const fs::path& folder, const std::string& where) {
-    if (!json.is_array() || json.empty()) refuse(where, json, "a list of files is needed", example);
+    if (!json.is_array() || json.empty()) refuse(where, json, "a list of files is needed", study_example);
     StudyInputs inputs;
     for (std::size_t i = 0; i < json.size(); ++i) {
         const Json& each = json[i];
@@ -195,10 +193,10 @@ StudyInputs read_inputs(const Json& json, const fs::path& folder, const std::str
             add_files({{"files", each}}, folder, here, inputs);
             continue;
         }
-        require_object(each, here, example);
+        require_object(each, here, study_example);
         const std::array<std::string_view, 3> kinds = {"files", "manifest", "cube"};
         const auto kind = std::ranges::find_if(kinds, [&](std::string_view name) { return each.contains(name); });
-        if (kind == kinds.end()) refuse(here, each, R"(it names no "files", "manifest" or "cube")", example);
+        if (kind == kinds.end()) refuse(here, each, R"(it names no "files", "manifest" or "cube")", study_example);
         if (std::any_of(kind + 1, kinds.end(), [&](std::string_view name) { return each.contains(name); })) {
             refuse(here, each, "it is two kinds of input", "make an input of each");
         }
