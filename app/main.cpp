@@ -1,5 +1,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <glog/logging.h>
 
 #include <exception>
 #include <memory>
@@ -71,8 +72,14 @@ void open_standard_streams() {
     }
 }
 
+/// What a solver has to say is in its result; its log is no message to a user.
+void silence_libraries() {
+    FLAGS_minloglevel = google::GLOG_FATAL;
+}
+
 int run(int argc, char** argv) {
     open_standard_streams();
+    silence_libraries();
     refuse_empty_arguments(argc, argv);
     Interrupt interrupt;
     Session session{.command_line = shell_words({argv, argv + argc}), .interrupt = interrupt};

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/terminal.hpp"
+#include "core/utf8.hpp"
 
 namespace skinfit {
 namespace {
@@ -42,7 +43,7 @@ std::string bar_text(const Progress& progress) {
 }
 
 std::string in_words(const Progress& progress, double elapsed_s) {
-    std::string text = progress.what;
+    std::string text = printable(progress.what);
     if (progress.count > 0 && elapsed_s > 0.0) {
         text += fmt::format(", {:.3g} {}/s", static_cast<double>(progress.count) / elapsed_s, progress.unit);
     }

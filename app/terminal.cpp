@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #include "core/text.hpp"
+#include "core/utf8.hpp"
 
 namespace skinfit {
 namespace {
@@ -73,13 +74,14 @@ void write_stderr(std::string_view text) noexcept {
 }
 
 void say_line(std::string_view text) {
-    write_stderr(fmt::format("{}{}\n", is_terminal(STDERR_FILENO) ? clear_line : "", text));
+    write_stderr(fmt::format("{}{}\n", is_terminal(STDERR_FILENO) ? clear_line : "", printable(text)));
 }
 
 void say_trouble(std::string_view kind, std::string_view text) {
     const std::string word = fmt::format("{}:", kind);
     const std::string_view colour = kind == "warning" ? yellow : red;
-    say_line(fmt::format("{} {}", shows_colour(STDERR_FILENO) ? painted(colour, word) : word, text));
+    write_stderr(fmt::format("{}{} {}\n", is_terminal(STDERR_FILENO) ? clear_line : "",
+                             shows_colour(STDERR_FILENO) ? painted(colour, word) : word, printable(text)));
 }
 
 }  // namespace skinfit

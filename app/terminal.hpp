@@ -21,7 +21,7 @@ inline constexpr std::string_view clear_line = "\r\x1b[K";
 /// Writes `text` to stderr. A terminal that is gone, or a full disk, is no reason to stop: it is left out then.
 void write_stderr(std::string_view text) noexcept;
 
-/// Writes one line to stderr, over a progress bar that may stand there.
+/// Writes one line to stderr, `printable`, over a progress bar that may stand there.
 void say_line(std::string_view text);
 
 /// The same for "error: ..." and "warning: ...": the word before the colon is coloured where that is shown.

@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/utf8.hpp"
+
 namespace skinfit {
 
 /// What is wrong with something the user gave, in the four parts every message has.
@@ -14,13 +16,13 @@ struct Complaint {
 };
 
 /// The user's input cannot be used. Caught in `main`, and where one bad input must not stop the others: in studies, in
-/// the explorer, in the cache. `what()` reads `<where>: <problem> (<why>); <what to do>`, on one line.
+/// the explorer, in the cache. `what()` reads `<where>: <problem> (<why>); <what to do>`, on one line, `printable`.
 class InputError : public std::runtime_error {
 public:
     /// The message of `complaint`, whose four parts must not be empty.
     explicit InputError(const Complaint& complaint)
-        : std::runtime_error(complaint.where + ": " + complaint.problem + " (" + complaint.why + "); " +
-                             complaint.remedy) {}
+        : std::runtime_error(printable(complaint.where + ": " + complaint.problem + " (" + complaint.why + "); " +
+                                       complaint.remedy)) {}
 };
 
 }  // namespace skinfit

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/input_error.hpp"
+#include "core/utf8.hpp"
 
 namespace skinfit {
 namespace {
@@ -14,14 +15,17 @@ namespace {
 /// Watches a file of JSON while it is read.
 class Watcher {
 public:
-    explicit Watcher(const std::string& where) : where_(where) {}
+    Watcher(const std::string& where, Texts texts) : where_(where), texts_(texts) {}
 
-    bool operator()(int depth, Json::parse_event_t event, const Json& json) {
+    bool operator()(int depth, Json::parse_event_t event, Json& json) {
         constexpr int deepest = 64;
         if (depth > deepest) refuse(fmt::format("nests more than {} deep", deepest), "no file of ours is so deep");
         if (event == Json::parse_event_t::object_start) names_.emplace_back();
         if (event == Json::parse_event_t::object_end) names_.pop_back();
         if (event == Json::parse_event_t::key) take(json);
+        if (event == Json::parse_event_t::value && json.is_string() && texts_ == Texts::printable) {
+            json = printable(json.get_ref<const std::string&>());
+        }
         return true;
     }
 
@@ -29,6 +33,9 @@ private:
     void take(const Json& name) {
         constexpr std::size_t most = 1000;
         std::set<std::string>& names = names_.back();
+        if (printable(name.get_ref<const std::string&>()) != name.get_ref<const std::string&>()) {
+            refuse(fmt::format("has a name with control characters, {}", shown(name)), "no name of ours has any");
+        }
         if (!names.insert(name.get<std::string>()).second) {
             throw InputError({.where = where_,
                               .problem = fmt::format("gives {} twice", shown(name)),
@@ -44,6 +51,7 @@ private:
     }
 
     const std::string& where_;
+    Texts texts_;
     std::vector<std::set<std::string>> names_;  ///< of each object that is open
 };
 
@@ -55,9 +63,9 @@ std::string shown(const Json& json) {
     return text.size() <= longest ? text : text.substr(0, longest) + "...";
 }
 
-Json parsed_json(std::string_view text, const std::string& where, const std::string& example) {
+Json parsed_json(std::string_view text, const std::string& where, const std::string& example, Texts texts) {
     try {
-        Watcher watcher(where);
+        Watcher watcher(where, texts);
         return Json::parse(text, std::ref(watcher), true, true);
     } catch (const Json::parse_error& error) {
         const auto line = 1 + std::ranges::count(text.substr(0, std::max<std::size_t>(error.byte, 1) - 1), '\n');

@@ -14,7 +14,7 @@ namespace skinfit {
 namespace {
 
 Json request_json(const ApiRequest& request) {
-    Json json = parsed_json(request.body, "request", "docs/explore.md describes requests");
+    Json json = parsed_json(request.body, "request", "docs/explore.md describes requests", Texts::as_they_are);
     if (json.is_object()) return json;
     refuse("request", json, "an object is needed", "see docs/explore.md");
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/csv.hpp"
 #include "core/input_error.hpp"
 #include "core/text.hpp"
 
@@ -90,7 +91,7 @@ std::size_t filled_width(std::span<const std::string_view> cells) {
 }
 
 std::string unescaped(std::string_view cell) {
-    std::string text(cell);
+    std::string text(without_text_mark(cell));
     for (std::size_t i = text.find("\"\""); i != std::string::npos; i = text.find("\"\"", i + 1)) text.erase(i, 1);
     return text;
 }

@@ -37,7 +37,7 @@ private:
 /// The cells up to the last that holds text.
 [[nodiscard]] std::size_t filled_width(std::span<const std::string_view> cells);
 
-/// What a quoted cell means: doubled quotes stand for one.
+/// What a quoted cell means: doubled quotes stand for one, and an apostrophe before = + - @ marks it as text.
 [[nodiscard]] std::string unescaped(std::string_view cell);
 
 /// Throws InputError, naming the line, for text with bytes that no text has.

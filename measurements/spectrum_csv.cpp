@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <set>
 
+#include "core/csv.hpp"
 #include "core/input_error.hpp"
 #include "measurements/spectrum_file.hpp"
 #include "measurements/spectrum_writer.hpp"
@@ -99,7 +100,8 @@ std::string quoted(const std::string& name) {
 
 /// As a cell of the header: in quotes where its characters ask for them.
 std::string cell(const std::string& name) {
-    return name.find_first_of(",;#\" \t") == std::string::npos ? name : quoted(name);
+    const std::string text = marked_as_text(name);
+    return text.find_first_of(",;#\" \t") == std::string::npos ? text : quoted(text);
 }
 
 std::string table(const std::vector<Spectrum>& spectra, const std::vector<double>& wavelength_nm) {

@@ -10,6 +10,7 @@
 #include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "core/text.hpp"
+#include "core/utf8.hpp"
 #include "measurements/envi_reader.hpp"
 #include "measurements/limits.hpp"
 #include "measurements/readers.hpp"
@@ -84,6 +85,22 @@ void refuse_long_first_line(const std::filesystem::path& path) {
     refuse_long_line(size, 1, path.string());
 }
 
+/// What the file calls things, as it may be shown.
+SpectrumFile with_printable_words(SpectrumFile file) {
+    for (Spectrum& spectrum : file.spectra) {
+        for (std::string* word : {&spectrum.name, &spectrum.source, &spectrum.unit_rule, &spectrum.sigma_source,
+                                  &spectrum.instrument, &spectrum.site}) {
+            *word = printable(*word);
+        }
+        for (FileNote& note : spectrum.notes) {
+            note.key = printable(note.key);
+            note.value = printable(note.value);
+        }
+    }
+    file.source = printable(file.source);
+    return file;
+}
+
 }  // namespace
 
 std::string read_spectrum_text(const std::filesystem::path& path) {
@@ -116,7 +133,7 @@ SpectrumFile parse_spectra(std::string_view text, const std::string& source, con
     if (options.column && chosen.read != read_columns) {
         file.spectra = {choose_spectrum(std::move(file.spectra), source, *options.column)};
     }
-    return file;
+    return with_printable_words(std::move(file));
 }
 
 SpectrumFile read_spectra(const std::filesystem::path& path, const ReadOptions& options,
@@ -125,7 +142,7 @@ SpectrumFile read_spectra(const std::filesystem::path& path, const ReadOptions& 
     SpectrumFile file{
         .source = path.string(), .format = std::string(envi_reader_name), .spectra = {read_envi(path, options)}};
     if (options.column) file.spectra = {choose_spectrum(std::move(file.spectra), file.source, *options.column)};
-    return file;
+    return with_printable_words(std::move(file));
 }
 
 }  // namespace skinfit

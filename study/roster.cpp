@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <regex>
+#include <re2/re2.h>
 
 #include "core/hash.hpp"
 #include "core/input_error.hpp"
 #include "core/json.hpp"
-#include "core/utf8.hpp"
 #include "measurements/spectrum_file.hpp"
 
 namespace skinfit {
@@ -51,39 +50,22 @@ Metadata metadata_in(const Spectrum& spectrum) {
 }
 
 /// What the name of a spectrum says by the study's pattern; nothing where the pattern does not know the name.
-std::optional<Metadata> metadata_of_name(const NamePattern& pattern, const std::regex& compiled,
+std::optional<Metadata> metadata_of_name(const NamePattern& pattern, const re2::RE2& compiled,
                                          const std::string& name) {
-    std::smatch found;
-    try {
-        if (!std::regex_search(name, found, compiled)) return std::nullopt;
-    } catch (const std::regex_error& error) {
-        throw InputError({.where = name,
-                          .problem = fmt::format("cannot be searched for {}", pattern.expression),
-                          .why = error.what(),
-                          .remedy = "write a simpler pattern"});
+    std::vector<re2::StringPiece> found(pattern.fields.size() + 1);  // the whole match, then the groups
+    if (!compiled.Match(name, 0, name.size(), re2::RE2::UNANCHORED, found.data(), static_cast<int>(found.size()))) {
+        return std::nullopt;
     }
     Metadata metadata;
     for (std::size_t i = 0; i < pattern.fields.size(); ++i) {
-        metadata.emplace_back(pattern.fields[i], found[i + 1].str());
+        metadata.emplace_back(pattern.fields[i], std::string(found[i + 1]));
     }
     return metadata;
-}
-
-/// The ledger keeps words as JSON.
-void check_words(const StudyFile& file, const Spectrum& spectrum, const Metadata& metadata) {
-    for (const auto& [name, word] : metadata) {
-        if (is_utf8(word)) continue;
-        throw InputError({.where = fmt::format("{}: {}", file.source, spectrum.name),
-                          .problem = fmt::format("its {} {} is not UTF-8", name, shown(word)),
-                          .why = "words of other encodings cannot be told apart",
-                          .remedy = "export the file as text in UTF-8"});
-    }
 }
 
 void add(const StudyFile& file, const Spectrum& spectrum, std::size_t number, const Metadata& metadata,
          StudySpectra& all) {
     const Metadata known = merged(merged(metadata_in(spectrum), file.metadata), metadata);
-    check_words(file, spectrum, known);
     all.entries.push_back({.source = file.source,
                            .number = number,
                            .name = spectrum.name,
@@ -94,7 +76,7 @@ void add(const StudyFile& file, const Spectrum& spectrum, std::size_t number, co
 }
 
 void add_all(const StudyFile& file, const std::vector<Spectrum>& spectra, const Metadata& metadata, StudySpectra& all) {
-    const std::regex compiled(file.names ? file.names->expression : std::string());
+    const re2::RE2 compiled(file.names ? file.names->expression : std::string(), re2::RE2::Quiet);
     for (std::size_t i = 0; i < spectra.size(); ++i) {
         Metadata known = metadata;
         if (file.names) {

@@ -39,7 +39,7 @@ struct SelectedSpectrum {
 
 /// How the names of spectra are read: a regular expression and what its groups mean.
 struct NamePattern {
-    std::string expression;           ///< ECMAScript, found anywhere in the name
+    std::string expression;           ///< of RE2, found anywhere in the name in linear time
     std::vector<std::string> fields;  ///< one per group
 };
 

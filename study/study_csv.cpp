@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/csv.hpp"
 #include "fit/report.hpp"
 #include "study/colour_classes.hpp"
 
@@ -156,16 +157,6 @@ std::string row_line(const AnsweredRow& each, const StudyColumns& columns) {
 }
 
 }  // namespace
-
-std::string csv_cell(const std::string& text) {
-    if (text.find_first_of(",;\"\n\r\t") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '"') quoted += '"';
-        quoted += c == '\n' || c == '\r' ? ' ' : c;
-    }
-    return quoted + "\"";
-}
 
 std::string study_csv(const Study& study, const std::vector<AnsweredRow>& rows) {
     const StudyColumns columns = columns_of(rows);

@@ -13,7 +13,4 @@ namespace skinfit {
 /// before theirs.
 [[nodiscard]] std::string study_csv(const Study& study, const std::vector<AnsweredRow>& rows);
 
-/// `text` as one cell of a table: in quotes where it needs them, with blanks for ends of lines.
-[[nodiscard]] std::string csv_cell(const std::string& text);
-
 }  // namespace skinfit

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <glob.h>
 
+#include <re2/re2.h>
 #include <algorithm>
 #include <array>
 #include <map>
-#include <regex>
 
 #include "core/file.hpp"
 #include "core/input_error.hpp"
@@ -90,14 +90,14 @@ std::optional<NamePattern> read_pattern(const Json& json, const std::string& whe
         }
         pattern.fields.push_back(name);
     }
-    try {
-        const std::regex compiled(pattern.expression);
-        if (compiled.mark_count() != pattern.fields.size()) {
-            refuse(here + ".fields", fields, fmt::format("the pattern has {} groups", compiled.mark_count()),
-                   "name each group once");
-        }
-    } catch (const std::regex_error& error) {
-        refuse(here + ".pattern", json["names"]["pattern"], error.what(), "write a regular expression");
+    const re2::RE2 compiled(pattern.expression, re2::RE2::Quiet);
+    if (!compiled.ok()) {
+        refuse(here + ".pattern", json["names"]["pattern"], compiled.error(),
+               "write a regular expression of RE2, which has no look-ahead and no back-references");
+    }
+    if (static_cast<std::size_t>(compiled.NumberOfCapturingGroups()) != pattern.fields.size()) {
+        refuse(here + ".fields", fields, fmt::format("the pattern has {} groups", compiled.NumberOfCapturingGroups()),
+               "name each group once");
     }
     return pattern;
 }

@@ -6,7 +6,9 @@
 #include <algorithm>
 
 #include "core/input_error.hpp"
+#include "core/utf8.hpp"
 #include "fit/report.hpp"
+#include "study/sqlite_errors.hpp"
 #include "study/study_assessment.hpp"
 
 namespace skinfit {
@@ -86,9 +88,15 @@ std::string counts_text(const StatusCounts& counts) {
 
 }  // namespace
 
-std::string configuration_in(const Ledger& ledger) {
-    std::string text = ledger.note("configuration");
-    if (!text.empty()) return text;
+Json configuration_in(const Ledger& ledger) {
+    const std::string text = ledger.note("configuration");
+    if (!text.empty()) {
+        return understood(ledger.path(), [&] {
+            Json configuration = Json::parse(text);
+            for (const char* key : {"edition", "engine", "uncertainty", "noise", "seed"}) (void)configuration.at(key);
+            return configuration;
+        });
+    }
     throw InputError({.where = ledger.path().string(),
                       .problem = "holds no settings",
                       .why = "its first run ended before it knew the inputs",
@@ -120,7 +128,8 @@ std::string status_text(const StudyCounts& counts) {
                             counts.cubes == 1 ? "cube" : "cubes", counts.maps, counts.tiles_done, counts.tiles,
                             counts_text(counts.pixels));
     }
-    for (const auto& [source, reason] : counts.unread_cubes) text += fmt::format("{}: FAILED: {}\n", source, reason);
+    for (const auto& [source, reason] : counts.unread_cubes)
+        text += fmt::format("{}: FAILED: {}\n", printable(source), printable(reason));
     return text;
 }
 
@@ -135,7 +144,7 @@ Json status_json(const StudyCounts& counts) {
 
 Json results_json(const Study& study, const Ledger& ledger, const std::vector<AnsweredRow>& rows) {
     Json json = {{"study", study.name}, {"version", ledger.note("version")}};
-    json["configuration"] = Json::parse(configuration_in(ledger));
+    json["configuration"] = configuration_in(ledger);
     json.update(definitions_json(study));
     json["counts"] = status_json(counts_of(ledger));
     json["repeatability"] = repeatability_json(study, rows);

@@ -23,8 +23,9 @@ struct StudyCounts {
 /// Of the spectra and images of `ledger`.
 [[nodiscard]] StudyCounts counts_of(const Ledger& ledger);
 
-/// The configuration of the fits, JSON, as the last run noted it. Throws InputError where none has come so far.
-[[nodiscard]] std::string configuration_in(const Ledger& ledger);
+/// The configuration of the fits as the last run noted it. Throws InputError where none has come so far and where the
+/// note is damaged.
+[[nodiscard]] Json configuration_in(const Ledger& ledger);
 
 /// For people: one line per kind.
 [[nodiscard]] std::string status_text(const StudyCounts& counts);

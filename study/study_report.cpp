@@ -180,21 +180,20 @@ HtmlSection maps_section(const StudyResults& results) {
 }
 
 HtmlSection provenance_section(const Study& study, const StudyResults& results) {
-    const Json configuration = Json::parse(results.configuration);
     std::vector<std::pair<std::string, Html>> items = {
         {"study", escaped(study.file.string())},
         {"program", escaped("skinfit " + results.version)},
         {"inputs", escaped(fmt::format("{} files, {} cubes", study.files.size(), study.cubes.size()))}};
     const std::string default_words = fmt::format("as the files state it, else {}", default_noise);
     for (const char* key : {"edition", "engine", "uncertainty", "noise", "seed"}) {
-        const Json& value = configuration.at(key);
+        const Json& value = results.configuration.at(key);
         items.emplace_back(key, escaped(value.is_null() ? default_words : value.dump()));
     }
     for (const IndexInfo& info : index_table()) {
         items.emplace_back(std::string(info.name), escaped(fmt::format("{} {}", info.meaning, info.source)));
     }
     return {.title = "Provenance",
-            .body = definition_list(items) + folded_text("configuration of the fits", configuration.dump(2))};
+            .body = definition_list(items) + folded_text("configuration of the fits", results.configuration.dump(2))};
 }
 
 }  // namespace

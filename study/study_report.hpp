@@ -11,8 +11,8 @@ struct StudyResults {
     std::vector<AnsweredRow> rows;  ///< of all spectra
     std::vector<CubeRow> cubes;
     StudyCounts counts;
-    std::string configuration;  ///< of the fits, JSON
-    std::string version;        ///< of the program that fitted
+    Json configuration;   ///< of the fits
+    std::string version;  ///< of the program that fitted
 };
 
 /// What the rows of `ledger` say to the questions of `study`.

@@ -1,21 +1,12 @@
 #include <fmt/format.h>
 
+#include "core/csv.hpp"
 #include "core/version.hpp"
 #include "validation/figure_names.hpp"
 #include "validation/figure_output.hpp"
 
 namespace skinfit {
 namespace {
-
-/// A cell in quotes, so that commas in titles and names do no harm.
-std::string csv_cell(std::string_view text) {
-    std::string cell = "\"";
-    for (const char c : text) {
-        cell += c;
-        if (c == '"') cell += c;
-    }
-    return cell + "\"";
-}
 
 std::string place(const FigurePanel& panel, const FigureVariant& variant, const std::string& series) {
     return fmt::format("{},{},{},{}", csv_cell(panel.title), name_of(variant.edition), variant.fibril_radius_nm,

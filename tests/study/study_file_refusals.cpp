@@ -88,9 +88,11 @@ TEST_F(StudyRefusals, OfInputs) {
 TEST_F(StudyRefusals, OfPatternsOfNames) {
     expect(
         {{R"({"pattern": "(a", "fields": ["s"]})",
-          "study.json.inputs[0].names.pattern: \"(a\" cannot be used (Mismatched '(' and ')' in regular expression); "
-          "write a regular "
-          "expression"},
+          "study.json.inputs[0].names.pattern: \"(a\" cannot be used (missing ): (a); write a regular expression "
+          "of RE2, which has no look-ahead and no back-references"},
+         {R"x({"pattern": "(a)\\1", "fields": ["s"]})x",
+          R"x(study.json.inputs[0].names.pattern: "(a)\\1" cannot be used (invalid escape sequence: \1); write a regular )x"
+          "expression of RE2, which has no look-ahead and no back-references"},
          {R"x({"pattern": "(a)(b)", "fields": ["s"]})x",
           "study.json.inputs[0].names.fields: [\"s\"] cannot be used (the pattern has 2 groups); name each group "
           "once"},

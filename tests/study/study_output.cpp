@@ -58,17 +58,6 @@ std::vector<LedgerRow> rows() {
     return {first, second, third};
 }
 
-TEST(StudyCsv, QuotesWhatNeedsIt) {
-    EXPECT_EQ(csv_cell("plain words"), "plain words");
-    EXPECT_EQ(csv_cell(""), "");
-    EXPECT_EQ(csv_cell("a,b"), "\"a,b\"");
-    EXPECT_EQ(csv_cell("a;b"), "\"a;b\"");
-    EXPECT_EQ(csv_cell("a\tb"), "\"a\tb\"");
-    EXPECT_EQ(csv_cell("say \"a\""), "\"say \"\"a\"\"\"");
-    EXPECT_EQ(csv_cell("two\r\nlines"), "\"two  lines\"");
-    EXPECT_EQ(csv_cell("M\xc3\xbcller"), "M\xc3\xbcller");
-}
-
 TEST(StudyCsv, EveryRowHasTheSameColumns) {
     const auto table = table_in(study_csv(asking(), answered(asking(), rows())));
     ASSERT_EQ(table.size(), 4U);
