@@ -154,7 +154,9 @@ test("two fits differ in what differs, and in nothing else", () => {
     assert.deepEqual(names(fit(), fit({}, {}, {scale: parameter(1.3, "free", 1)})), []);
     assert.deepEqual(names(fit(), fit({source: "b.csv"})), ["file"]);
     assert.deepEqual(differencesOf([fit(), fit({}, {edition: "printed", exclude_nm: [[500, 510]]})]),
-        [{name: "edition", values: ["revised", "printed"]}, {name: "exclude (nm)", values: ["[]", "[[500,510]]"]}]);
+        [{name: "edition", values: ["revised", "printed"]}, {name: "exclude (nm)", values: ["none", "[[500,510]]"]}]);
+    assert.deepEqual(differencesOf([fit(), fit({}, {discrepancy: {sigma: 0.005, kernel: "matern_3_2"}})]),
+        [{name: "discrepancy", values: ["none", "sigma 0.005, kernel matern_3_2"]}]);
     assert.deepEqual(differencesOf([fit(), fit({}, {}, {offset: parameter(0.01, "at lower bound", 0)})]), [{name: "free beside the others", values: ["none", "offset"]}]);
     assert.deepEqual(differencesOf([fit(), fit({}, {}, {offset: parameter(0.02, "fixed")})]), [{name: "offset, held", values: ["0", "0.02"]}]);
     assert.deepEqual(names(fit(), fit({}, {}, {scale: parameter(1.1, "free", 0.9)})), ["scale, start"]);

@@ -18,8 +18,15 @@ export interface Difference {
 export const explainedBy = (report: Report): Explained[] =>
     report.spectra ?? [{...report, name: report.spectrum!.name} as Explained];
 
-const text = (value: Json | undefined): string =>
-    value === undefined || value === null ? "none" : typeof value === "object" ? JSON.stringify(value) : visible(String(value));
+/// The parts of an object as "name value".
+const parts = (object: {[name: string]: Json}): string =>
+    Object.entries(object).filter(([, each]) => each !== null).map(([name, each]) => `${inWords(name)} ${text(each)}`).join(", ");
+
+function text(value: Json | undefined): string {
+    if (value === undefined || value === null) return "none";
+    if (Array.isArray(value)) return value.length === 0 ? "none" : visible(JSON.stringify(value));
+    return typeof value === "object" ? parts(value) : visible(String(value));
+}
 
 function readings(report: Report): string {
     const all = explainedBy(report).flatMap(({wavelength_nm}) => wavelength_nm);
@@ -33,7 +40,7 @@ const free = (report: Report) => Object.entries(report.parameters).filter(([, ea
 function limits(report: Report, name: string): string {
     const stated = (report.configuration["parameters"] as {[name: string]: {[key: string]: Json}} | undefined)?.[name];
     const {value: _value, ...rest} = stated ?? {};
-    return Object.entries(rest).filter(([, each]) => each !== null).map(([key, each]) => `${inWords(key)} ${text(each)}`).join(", ");
+    return parts(rest);
 }
 
 function parameterDifferences(reports: Report[]): [string, string[]][] {

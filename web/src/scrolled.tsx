@@ -1,8 +1,8 @@
 import type {ComponentChildren} from "preact";
 import {useLayoutEffect, useRef, useState} from "preact/hooks";
 
-/// What is larger than its place and scrolls in it, with a shadow at the sides where there is more, and words where more
-/// lies to the right: on a phone nothing else says so.
+/// What is larger than its place and scrolls in it, with a shadow at the sides where there is more, and words where it
+/// scrolls sideways: on a phone nothing else says so.
 export function Scrolled({label, children}: {label: string; children: ComponentChildren}) {
     const box = useRef<HTMLDivElement>(null);
     const [more, setMore] = useState("");
@@ -24,10 +24,11 @@ export function Scrolled({label, children}: {label: string; children: ComponentC
             element.removeEventListener("scroll", look);
         };
     }, []);
+    const isSideways = more.includes("right") || more.includes("left");
     return (
         <div class="scrolling" data-more={more}>
+            {isSideways && <p class="more" aria-hidden="true">{more.includes("right") ? "more to the right: scroll sideways →" : "← more to the left"}</p>}
             <div class="scrolled" tabIndex={0} role="region" aria-label={label} ref={box}>{children}</div>
-            {more.includes("right") && <p class="more" aria-hidden="true">more to the right: scroll the table sideways →</p>}
         </div>
     );
 }
