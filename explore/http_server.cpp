@@ -6,44 +6,49 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <chrono>
 #include <condition_variable>
 #include <cstring>
+#include <mutex>
 
 namespace skinfit {
 namespace {
 
-constexpr const char* loopback = "127.0.0.1";
-constexpr int progress_timeout_ms = 5000;    // chosen: without a byte of a request or answer a connection ends
-constexpr int keep_alive_timeout_ms = 2000;  // chosen: between two requests of one connection
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
 
-/// As many threads as a browser opens connections, and no more of them waiting than a few browsers open: who comes
-/// later waits to be accepted.
+constexpr const char* loopback = "127.0.0.1";
+constexpr std::size_t workers = 24;       // chosen: twelve for each of two browser windows
+constexpr std::size_t most_pending = 96;  // chosen: who comes later waits to be accepted
+// Chosen. For the next byte; for the next request; and, where others wait, for a whole request or answer: of this
+// machine it comes within a millisecond.
+constexpr milliseconds byte_patience{5000};
+constexpr milliseconds request_patience{2000};
+constexpr milliseconds patience_in_demand{50};
+constexpr milliseconds glance{20};  // how often a worker that waits looks whether others do
+
 class BoundedPool : public httplib::ThreadPool {
 public:
-    explicit BoundedPool(Connections& connections) : httplib::ThreadPool(threads), connections_(&connections) {}
+    explicit BoundedPool(Demand& demand) : httplib::ThreadPool(workers), demand_(&demand) {}
 
     void enqueue(std::function<void()> work) override {
         std::unique_lock lock(mutex_);
-        room_.wait(lock, [this] { return pending_ < most_pending; });
-        ++pending_;
-        const bool are_all_busy = pending_ > threads;
+        room_.wait(lock, [this] { return demand_->connections < most_pending; });
+        ++demand_->connections;
         lock.unlock();
         httplib::ThreadPool::enqueue([this, work = std::move(work)] {
             work();
             const std::scoped_lock done(mutex_);
-            --pending_;
+            --demand_->connections;
             room_.notify_one();
         });
-        if (are_all_busy) (void)connections_->end_longest_waiting();
     }
 
 private:
-    static constexpr std::size_t threads = 12;
-    static constexpr std::size_t most_pending = 48;
-    Connections* connections_;
+    Demand* demand_;
     std::mutex mutex_;
     std::condition_variable room_;
-    std::size_t pending_ = 0;
 };
 
 /// A second server on a port that is in use is refused, unlike by httplib's own options.
@@ -52,15 +57,21 @@ void take_port_alone(int socket) {
     (void)::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
 }
 
-/// The bytes of one connection.
+/// The bytes of one connection. A read or write fails where the client takes too long.
 class SocketStream : public httplib::Stream {
 public:
-    explicit SocketStream(int socket) : socket_(socket) {}
+    SocketStream(int socket, const Demand& demand) : socket_(socket), demand_(&demand) {}
 
-    [[nodiscard]] bool is_readable() const override { return has_buffered() || is_ready(POLLIN, progress_timeout_ms); }
-    [[nodiscard]] bool is_writable() const override { return is_ready(POLLOUT, progress_timeout_ms); }
-    /// Whether a request has begun within the time of `keep_alive_timeout_ms`.
-    [[nodiscard]] bool has_request() const { return has_buffered() || is_ready(POLLIN, keep_alive_timeout_ms); }
+    /// Waits for the next request.
+    [[nodiscard]] bool has_request() {
+        begin_waiting(false);
+        const bool has = has_buffered() || comes(POLLIN, request_patience);
+        begin_waiting(false);
+        return has;
+    }
+
+    [[nodiscard]] bool is_readable() const override { return has_buffered() || comes(POLLIN, byte_patience); }
+    [[nodiscard]] bool is_writable() const override { return comes(POLLOUT, byte_patience); }
 
     ssize_t read(char* bytes, std::size_t size) override {
         if (!has_buffered()) {
@@ -77,6 +88,7 @@ public:
     }
 
     ssize_t write(const char* bytes, std::size_t size) override {
+        if (!writes_) begin_waiting(true);  // the time it took to find the answer is not the client's
         return is_writable() ? ::send(socket_, bytes, size, MSG_NOSIGNAL | MSG_DONTWAIT) : -1;
     }
 
@@ -88,25 +100,41 @@ public:
 private:
     [[nodiscard]] bool has_buffered() const { return begin_ < end_; }
 
-    [[nodiscard]] bool is_ready(short events, int timeout_ms) const {
-        pollfd waiting{.fd = socket_, .events = events, .revents = 0};
-        int ready = 0;
-        do {
-            ready = ::poll(&waiting, 1, timeout_ms);
-        } while (ready < 0 && errno == EINTR);
-        return ready > 0;
+    void begin_waiting(bool writes) {
+        writes_ = writes;
+        since_ = Clock::now();
+    }
+
+    /// A client that drips is never late with the next byte, but with the whole.
+    [[nodiscard]] bool keeps_others_waiting() const {
+        const bool in_demand = demand_->connections > workers || demand_->ends;
+        return in_demand && Clock::now() - since_ > patience_in_demand;
+    }
+
+    [[nodiscard]] bool comes(short event, milliseconds patience) const {
+        const Clock::time_point end = Clock::now() + patience;
+        while (!keeps_others_waiting()) {
+            pollfd waiting{.fd = socket_, .events = event, .revents = 0};
+            const int ready = ::poll(&waiting, 1, static_cast<int>(glance.count()));
+            if (ready > 0) return true;
+            if ((ready < 0 && errno != EINTR) || Clock::now() > end) return false;
+        }
+        return false;
     }
 
     int socket_;
+    const Demand* demand_;
     std::array<char, 16384> buffer_;
     std::size_t begin_ = 0;
     std::size_t end_ = 0;
+    bool writes_ = false;
+    Clock::time_point since_ = Clock::now();  ///< the client is waited for
 };
 
 }  // namespace
 
 HttpServer::HttpServer() {
-    new_task_queue = [this] { return new BoundedPool(connections_); };
+    new_task_queue = [this] { return new BoundedPool(demand_); };
     set_socket_options(take_port_alone);
     set_tcp_nodelay(true);
     set_keep_alive_max_count(100'000);
@@ -120,16 +148,18 @@ std::optional<int> HttpServer::bind(int port) {
     return taken;
 }
 
+void HttpServer::end() {
+    demand_.ends = true;
+    stop();
+}
+
 bool HttpServer::process_and_close_socket(socket_t socket) {
+    SocketStream stream(socket, demand_);
     bool is_good = true;
-    {
-        const Connections::Served served(connections_, socket);
-        SocketStream stream(socket);
-        bool is_closed = false;
-        for (std::size_t left = keep_alive_max_count_; is_good && !is_closed && left > 0; --left) {
-            if (svr_sock_ == INVALID_SOCKET || !stream.has_request()) break;
-            is_good = process_request(stream, left == 1, is_closed, nullptr);
-        }
+    bool is_closed = false;
+    for (std::size_t left = keep_alive_max_count_; is_good && !is_closed && left > 0; --left) {
+        if (demand_.ends || !stream.has_request()) break;
+        is_good = process_request(stream, left == 1, is_closed, nullptr);
     }
     (void)::shutdown(socket, SHUT_RDWR);
     (void)::close(socket);

@@ -2,25 +2,34 @@
 
 #include <httplib.h>
 
-#include "explore/connections.hpp"
+#include <atomic>
+#include <cstddef>
+#include <optional>
 
 namespace skinfit {
 
-/// The server of httplib where a slow client keeps no other out: a new connection that finds all workers busy ends the
-/// one that has waited longest.
+/// How much is asked of the workers of a server. Counted by any thread.
+struct Demand {
+    std::atomic<std::size_t> connections = 0;  ///< served, or waiting for a worker
+    std::atomic<bool> ends = false;            ///< the server is to end
+};
+
+/// The server of httplib where a slow client keeps no other out: where connections wait for a worker, one whose request
+/// does not come, or whose answer is not taken, is ended soon.
 class HttpServer : public httplib::Server {
 public:
     HttpServer();
 
-    /// Of the address 127.0.0.1, 0 for a free one; the port, or nothing where it cannot be had.
+    /// Takes `port` of 127.0.0.1, or a free one for 0; gives it, or nothing where it cannot be had.
     [[nodiscard]] std::optional<int> bind(int port);
 
-    [[nodiscard]] Connections& connections() { return connections_; }
+    /// Ends the server, and soon all connections that are not being answered.
+    void end();
 
 private:
     bool process_and_close_socket(socket_t socket) override;
 
-    Connections connections_;
+    Demand demand_;
 };
 
 }  // namespace skinfit

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
-
 #include "core/input_error.hpp"
 #include "explore/guard.hpp"
 #include "explore/http_server.hpp"
@@ -69,7 +67,6 @@ struct Server::Parts {
     Api& api;
     Access access;
     HttpServer http{};
-    std::atomic<bool> runs = false;
 
     /// Before a body is read.
     void set_guard() {
@@ -88,7 +85,6 @@ struct Server::Parts {
 
     void set_answers() {
         const auto ask = [this](const httplib::Request& request, httplib::Response& response) {
-            const Connections::Answering answering(http.connections());
             give(api.answer({.method = request.method,
                              .path = request.path,
                              .name = request.get_param_value("name"),
@@ -139,18 +135,11 @@ std::string Server::url() const {
 }
 
 void Server::run() {
-    parts_->runs = true;
     parts_->http.listen_after_bind();
-    parts_->runs = false;
 }
 
 void Server::stop() {
-    constexpr auto patience = std::chrono::milliseconds(500);  // chosen: for an answer to be taken
-    parts_->http.stop();
-    while (parts_->runs) {
-        parts_->http.connections().end_waiting(patience);
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
+    parts_->http.end();
 }
 
 }  // namespace skinfit
