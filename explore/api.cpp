@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include "core/input_error.hpp"
-#include "explore/configuration_request.hpp"
+#include "core/text.hpp"
+#include "explore/measured_request.hpp"
 #include "explore/uploaded_spectra.hpp"
 #include "explore/vocabulary.hpp"
 #include "fit/configuration_json.hpp"
@@ -19,8 +20,19 @@ Json request_json(const ApiRequest& request) {
     refuse("request", json, "an object is needed", "see docs/explore.md");
 }
 
-Configuration configuration_of(const Json& request) {
-    return requested_configuration(explore_configuration(), request.value("configuration", Json::object()));
+/// The models that a request asks for: a page draws what a fit of its spectra would take.
+std::vector<MeasuredModel> models_of(const ApiRequest& request) {
+    return measured_models(measured_request(request_json(request)));
+}
+
+/// Of a drawn model: what it is drawn for.
+Json measurement_json(const MeasuredModel& model) {
+    const Json configuration = to_json(model.configuration);
+    Json json = {{"noise", configuration["noise"]}};
+    for (const std::string_view name : measurement_settings) {
+        json[std::string(name)] = configuration[std::string(name)];
+    }
+    return json;
 }
 
 std::vector<Reading> readings(const Simulation& simulation) {
@@ -57,11 +69,30 @@ Json Api::vocabulary() const {
     return json;
 }
 
-Json Api::exported(const Configuration& configuration) {
-    const Simulation simulation = simulator_.simulate(configuration);
-    return {{"csv", simulation_csv(readings(simulation), simulation.configuration)},
-            {"json", simulation_json(readings(simulation), simulation.configuration)},
-            {"configuration", to_json(configuration)}};
+Json Api::simulated(const std::vector<MeasuredModel>& models) {
+    Json all = Json::array();
+    for (const MeasuredModel& model : models) {
+        Json json = simulation_json(simulator_.simulate(model.configuration));
+        json["spectra"] = model.spectra;
+        json["measurement"] = measurement_json(model);
+        json["decided_by"] = model.decided_by;
+        all.push_back(std::move(json));
+    }
+    return {{"models", std::move(all)}};
+}
+
+Json Api::exported(const MeasuredRequest& request) {
+    const std::vector<MeasuredModel> models = measured_models(request);
+    Json simulations = Json::array();
+    for (const MeasuredModel& model : models) {
+        const Simulation simulation = simulator_.simulate(model.configuration);
+        simulations.push_back({{"csv", simulation_csv(readings(simulation), simulation.configuration)},
+                               {"json", simulation_json(readings(simulation), simulation.configuration)}});
+    }
+    // Of several the geometry stays open: each spectrum states its own.
+    const bool is_one = models.size() == 1;
+    return {{"simulations", std::move(simulations)},
+            {"configuration", to_json(is_one ? models.front().configuration : fit_configuration(request))}};
 }
 
 ApiAnswer Api::started(const Json& request) {
@@ -85,18 +116,19 @@ ApiAnswer Api::report(const std::string& name) {
 ApiAnswer Api::dispatched(const ApiRequest& request) {
     const std::string route = request.method + " " + request.path;
     if (route == "GET /api/vocabulary") return json_answer(vocabulary());
-    if (route == "POST /api/spectra") return json_answer(uploaded_json(request.body, request.name));
+    if (route == "GET /api/sample") return json_answer(sample_json());
+    if (route == "POST /api/spectra") {
+        return json_answer(uploaded_json(request.body, request.name, parse_count(request.size)));
+    }
     if (route == "GET /api/fit" || route == "DELETE /api/fit") return on_fit(request);
     if (route == "GET /api/report") return report(request.name);
     if (route == "POST /api/fit") return started(request_json(request));
-    if (route == "POST /api/simulate") {
-        return json_answer(simulation_json(simulator_.simulate(configuration_of(request_json(request)))));
-    }
+    if (route == "POST /api/simulate") return json_answer(simulated(models_of(request)));
     if (route == "POST /api/sensitivity") {
         return json_answer(
-            sensitivity_json(sensitivity(configuration_of(request_json(request))), Derivative::relative));
+            sensitivity_json(sensitivity(models_of(request).front().configuration), Derivative::relative));
     }
-    if (route == "POST /api/export") return json_answer(exported(configuration_of(request_json(request))));
+    if (route == "POST /api/export") return json_answer(exported(measured_request(request_json(request))));
     return error_answer("there is nothing at this address", 404);
 }
 

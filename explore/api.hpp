@@ -2,8 +2,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "explore/fit_jobs.hpp"
+#include "explore/measured_request.hpp"
 #include "explore/simulation.hpp"
 #include "measurements/spectrum_file.hpp"
 
@@ -13,7 +15,8 @@ namespace skinfit {
 struct ApiRequest {
     std::string method;
     std::string path;
-    std::string name;  ///< of a fit, or of an uploaded file: of the query
+    std::string name;    ///< of a fit, or of an uploaded file: of the query
+    std::string size{};  ///< of an uploaded file of which only the beginning is sent, bytes: of the query
     std::string body;
 };
 
@@ -27,14 +30,14 @@ struct ApiAnswer {
 /// Everything the page can ask for, whatever carries the requests. Calls may come from any thread.
 ///
 ///     GET    /api/vocabulary           parameters, settings, defaults; and "file", where one was given at the start
-///     POST   /api/simulate             {"configuration": {...}} -> spectrum, shares, colour
-///     POST   /api/sensitivity          the same -> relative derivatives, as `sensitivity_json`
-///     POST   /api/spectra?name=FILE    the bytes of a file -> its spectra and findings
-///     POST   /api/export               {"configuration": {...}} -> the simulation as files: csv, json, configuration
-///     POST   /api/fit                  {"configuration": {...}, "source": ..., "measured": [...]} -> {"name": ...}
-///     GET    /api/fit?name=NAME        how far it is, and in the end its documents
-///     DELETE /api/fit?name=NAME        asks it to stop
-///     GET    /api/report?name=NAME     its report as an HTML page, once it is done
+///     GET    /api/sample               a specimen that comes with the program, as a file that was sent
+///     POST   /api/simulate             a `MeasuredRequest` -> of each of its `measured_models` spectrum, shares,
+///     colour POST   /api/sensitivity          the same -> relative derivatives of the first model, as
+///     `sensitivity_json` POST   /api/spectra?name=FILE    the bytes of a file -> its spectra and findings POST
+///     /api/export               a `MeasuredRequest` -> the simulations as files (csv, json), the configuration POST
+///     /api/fit                  the same, with at least one spectrum -> {"name": ...} GET    /api/fit?name=NAME how
+///     far it is, and in the end its documents DELETE /api/fit?name=NAME        asks it to stop GET
+///     /api/report?name=NAME     its report as an HTML page, once it is done
 class Api {
 public:
     /// `file`: spectra to begin with. Throws InputError as `uploaded_json`.
@@ -45,7 +48,8 @@ public:
 
 private:
     [[nodiscard]] Json vocabulary() const;
-    [[nodiscard]] Json exported(const Configuration& configuration);
+    [[nodiscard]] Json simulated(const std::vector<MeasuredModel>& models);
+    [[nodiscard]] Json exported(const MeasuredRequest& request);
     [[nodiscard]] ApiAnswer started(const Json& request);
     [[nodiscard]] ApiAnswer on_fit(const ApiRequest& request);
     [[nodiscard]] ApiAnswer report(const std::string& name);

@@ -28,6 +28,7 @@ void refuse_instrument_files(const Json& json) {
 Configuration explore_configuration() {
     Configuration configuration = default_configuration();
     configuration.engine = Engine::emulator;
+    configuration.wavelengths = "400:700:2";  // shows both dips of oxygenated blood, at 542 and 577 nm
     return configuration;
 }
 

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "explore/configuration_request.hpp"
-#include "fit/file_settings.hpp"
+#include "core/input_error.hpp"
+#include "explore/measured_request.hpp"
 #include "fit/fit.hpp"
 #include "fit/inspection.hpp"
 #include "fit/report.hpp"
-#include "measurements/spectrum_file.hpp"
 #include "report/fit_report.hpp"
 
 namespace skinfit {
@@ -27,15 +26,17 @@ std::string origin_in_words(const FitOrder& order) {
 
 }  // namespace
 
-FitOrder fit_order(const Json& request) {
-    const Json named = request.value("source", Json());
-    const std::string source = named.is_string() ? named.get<std::string>() : "measured";
-    const Json measured = {{"spectra", request.value("measured", Json::array())}};
-    const std::string text = measured.dump(-1, ' ', false, Json::error_handler_t::replace);
-    std::vector<Spectrum> spectra = parse_spectra(text, source, {}, "json").spectra;
-    const Json stated = request.value("configuration", Json::object());
-    Configuration configuration = requested_configuration(with_file_settings(explore_configuration(), spectra), stated);
-    return {.configuration = std::move(configuration), .source = source, .spectra = std::move(spectra)};
+FitOrder fit_order(const Json& json) {
+    MeasuredRequest request = measured_request(json);
+    if (request.spectra.empty()) {
+        throw InputError({.where = request.source,
+                          .problem = "there is no spectrum to fit",
+                          .why = "\"measured\" lists none",
+                          .remedy = "send at least one; see docs/explore.md"});
+    }
+    return {.configuration = fit_configuration(request),
+            .source = std::move(request.source),
+            .spectra = std::move(request.spectra)};
 }
 
 FitResult fitted(const FitOrder& order, const DiskCache& cache, const FitWatch& watch) {

@@ -19,9 +19,8 @@ struct FitOrder {
     std::vector<Spectrum> spectra;  ///< at least one, explained together
 };
 
-/// The order in {"configuration": {...}, "source": name, "measured": [spectra of `spectra_json`]}. What the spectra
-/// state of edition, layers and base holds where the configuration does not state it. Throws InputError.
-[[nodiscard]] FitOrder fit_order(const Json& request);
+/// The order in `json`, a `MeasuredRequest`. Throws InputError as `fit_configuration`, and where nothing is measured.
+[[nodiscard]] FitOrder fit_order(const Json& json);
 
 /// The order, carried out.
 [[nodiscard]] FitResult fitted(const FitOrder& order, const DiskCache& cache, const FitWatch& watch);

@@ -1,53 +1,15 @@
 #include "explore/server.hpp"
 
 #include <fmt/format.h>
-#include <httplib.h>
-#include <sys/socket.h>
-
-#include <condition_variable>
 
 #include "core/input_error.hpp"
 #include "explore/guard.hpp"
+#include "explore/http_server.hpp"
 #include "explore/page.hpp"
 #include "explore/token.hpp"
 
 namespace skinfit {
 namespace {
-
-constexpr const char* loopback = "127.0.0.1";
-
-/// As many threads as a browser opens connections, and no more of them waiting than a few browsers open: who comes
-/// later waits to be accepted.
-class BoundedPool : public httplib::ThreadPool {
-public:
-    BoundedPool() : httplib::ThreadPool(threads) {}
-
-    void enqueue(std::function<void()> work) override {
-        std::unique_lock lock(mutex_);
-        room_.wait(lock, [this] { return pending_ < most_pending; });
-        ++pending_;
-        lock.unlock();
-        httplib::ThreadPool::enqueue([this, work = std::move(work)] {
-            work();
-            const std::scoped_lock done(mutex_);
-            --pending_;
-            room_.notify_one();
-        });
-    }
-
-private:
-    static constexpr std::size_t threads = 12;
-    static constexpr std::size_t most_pending = 48;
-    std::mutex mutex_;
-    std::condition_variable room_;
-    std::size_t pending_ = 0;
-};
-
-/// A second server on a port that is in use is refused, unlike by httplib's own options.
-void take_port_alone(int socket) {
-    const int yes = 1;
-    (void)::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-}
 
 const httplib::Headers safe_headers = {
     {"Content-Security-Policy",
@@ -104,22 +66,12 @@ std::string reason(int status) {
 struct Server::Parts {
     Api& api;
     Access access;
-    httplib::Server http;
-
-    void set_limits() {
-        http.new_task_queue = [] { return new BoundedPool; };
-        http.set_socket_options(take_port_alone);
-        http.set_tcp_nodelay(true);
-        http.set_default_headers(safe_headers);
-        http.set_payload_max_length(largest_body_bytes);
-        http.set_read_timeout(5);
-        http.set_write_timeout(5);
-        http.set_keep_alive_timeout(2);
-        http.set_keep_alive_max_count(100'000);
-    }
+    HttpServer http{};
 
     /// Before a body is read.
     void set_guard() {
+        http.set_default_headers(safe_headers);
+        http.set_payload_max_length(largest_body_bytes);
         http.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
             const std::optional<RequestRefusal> refused = refusal(parts_of(request), access);
             if (!refused) return httplib::Server::HandlerResponse::Unhandled;
@@ -136,13 +88,14 @@ struct Server::Parts {
             give(api.answer({.method = request.method,
                              .path = request.path,
                              .name = request.get_param_value("name"),
+                             .size = request.get_param_value("size"),
                              .body = request.body}),
                  response);
         };
         for (const char* path : {"/api/simulate", "/api/sensitivity", "/api/spectra", "/api/export", "/api/fit"}) {
             http.Post(path, ask);
         }
-        http.Get("/api/vocabulary", ask).Get("/api/report", ask);
+        http.Get("/api/vocabulary", ask).Get("/api/sample", ask).Get("/api/report", ask);
         http.Get("/api/fit", ask).Delete("/api/fit", ask);
         const auto show = [](const httplib::Request& request, httplib::Response& response) {
             // A path is matched as a regular expression, which other paths may meet.
@@ -155,14 +108,12 @@ struct Server::Parts {
     }
 };
 
-Server::Server(Api& api, int port)
-    : parts_(new Parts{.api = api, .access = {.port = port, .token = random_token()}, .http = {}}) {
-    parts_->set_limits();
+Server::Server(Api& api, int port) : parts_(new Parts{.api = api, .access = {.port = port, .token = random_token()}}) {
     parts_->set_guard();
     parts_->set_answers();
-    httplib::Server& http = parts_->http;
-    if (port == 0) parts_->access.port = http.bind_to_any_port(loopback);
-    if (port == 0 ? parts_->access.port > 0 : http.bind_to_port(loopback, port)) return;
+    const std::optional<int> taken = parts_->http.bind(port);
+    parts_->access.port = taken.value_or(port);
+    if (taken) return;
     throw InputError({.where = fmt::format("--port {}", port),
                       .problem = "cannot be had",
                       .why = port == 0 ? "the system has no free one" : "it is in use, or reserved for the system",
@@ -180,7 +131,7 @@ const std::string& Server::token() const {
 }
 
 std::string Server::url() const {
-    return fmt::format("http://{}:{}/?token={}", loopback, port(), token());
+    return fmt::format("http://127.0.0.1:{}/?token={}", port(), token());
 }
 
 void Server::run() {
@@ -188,7 +139,7 @@ void Server::run() {
 }
 
 void Server::stop() {
-    parts_->http.stop();
+    parts_->http.end();
 }
 
 }  // namespace skinfit

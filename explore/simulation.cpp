@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+
 #include "core/geometry.hpp"
 #include "core/input_error.hpp"
 #include "fit/band_sampling.hpp"
@@ -77,16 +79,21 @@ Json colour_json(const Simulation& simulation) {
 }  // namespace
 
 AngularSolver LiveSimulator::solver_of(const Experiment& experiment) {
+    constexpr std::size_t most_kept = 4;  // geometries: as many as a page draws at a time
     {
         const std::scoped_lock lock(mutex_);
-        if (last_ && same_but_for_skin(last_->experiment, experiment)) {
-            last_->solver = last_->solver.with(experiment.values.skin);
-            return last_->solver;
+        const auto found = std::ranges::find_if(
+            latest_, [&](const Prepared& each) { return same_but_for_skin(each.experiment, experiment); });
+        if (found != latest_.end()) {
+            std::rotate(latest_.begin(), found, found + 1);
+            latest_.front().solver = latest_.front().solver.with(experiment.values.skin);
+            return latest_.front().solver;
         }
     }
     AngularSolver solver = angular_solver(experiment);
     const std::scoped_lock lock(mutex_);
-    last_.emplace(Prepared{experiment, solver});
+    latest_.push_front(Prepared{experiment, solver});
+    if (latest_.size() > most_kept) latest_.pop_back();
     return solver;
 }
 

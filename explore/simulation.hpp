@@ -1,8 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <deque>
 #include <mutex>
-#include <optional>
 #include <vector>
 
 #include "fit/configuration.hpp"
@@ -24,8 +24,7 @@ struct Simulation {
     Eigen::VectorXd transmitted;        ///< left through the base
 };
 
-/// Simulates as sliders ask for it: one skin after the other, few of them in another geometry. Calls may come from any
-/// thread.
+/// Simulates as sliders ask for it: one skin after the other, in few geometries. Calls may come from any thread.
 class LiveSimulator {
 public:
     /// The simulation at the wavelengths of the setting, whatever the configured engine. Throws InputError for more
@@ -41,7 +40,7 @@ private:
     [[nodiscard]] AngularSolver solver_of(const Experiment& experiment);
 
     std::mutex mutex_;
-    std::optional<Prepared> last_;
+    std::deque<Prepared> latest_;  ///< the latest first
 };
 
 /// The simulation, its colour under D65 for the observer of 1931, and its typology angle.

@@ -4,6 +4,8 @@
 
 #include "core/version.hpp"
 #include "explore/configuration_request.hpp"
+#include "explore/measured_request.hpp"
+#include "explore/server.hpp"
 #include "explore/simulation.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/fit_scale.hpp"
@@ -80,11 +82,18 @@ Json vocabulary_json() {
     const Configuration defaults = explore_configuration();
     Json parameters = Json::array();
     for (const ParameterInfo& info : parameter_table()) parameters.push_back(parameter_json(info, defaults));
+    Json engines = Json::array();
+    for (const std::string_view engine : engine_names) {
+        if (engine != engine_names[static_cast<std::size_t>(Engine::walk)]) engines.push_back(engine);
+    }
     return {{"version", version},
             {"parameters", parameters},
             {"groups", {"epidermis", "blood", "dermis", "geometry", "instrument"}},
             {"layers", layer_names},
             {"instruments", instrument_names()},
+            {"measurement_settings", measurement_settings},
+            {"fit_engines", engines},
+            {"largest_file_bytes", largest_body_bytes},
             {"configuration", to_json(defaults)},
             {"schema", configuration_schema()}};
 }

@@ -10,5 +10,5 @@ await build({
     minify: true,
     banner: {js: "/* with Preact and uPlot, MIT licence */", css: "/* with uPlot, MIT licence */"},
 });
-await build({...common, entryPoints: ["src/scale.ts", "src/state.ts"], format: "esm"});
+await build({...common, entryPoints: ["src/scale.ts", "src/state.ts", "src/words.ts", "src/residuals.ts", "src/differences.ts", "src/measurement.ts"], format: "esm"});
 for (const file of ["index.html", "icon.svg"]) await copyFile(`src/${file}`, `${folder}/${file}`);

@@ -5,8 +5,12 @@ import {test} from "node:test";
 import {pathToFileURL} from "node:url";
 
 const load = (name) => import(pathToFileURL(join(process.argv[2], name)));
+const {visible, shortened, listed} = await load("words.js");
+const {interpolated, residualsOf} = await load("residuals.js");
+const {differencesOf} = await load("differences.js");
+const {inWordsMeasurement, inWordsStated, inWordsDecided} = await load("measurement.js");
 const {scaleOf, rounded, shown, withSigma} = await load("scale.js");
-const {begun, changed, fragmentOf, inWordsNotLoaded, modelFrom, notLoaded, redone, undone, withMeasured} = await load("state.js");
+const {begun, changed, configurationOf, fragmentOf, inWordsNotLoaded, modelFrom, modelOf, notLoaded, redone, undone, withFitted, withMeasured} = await load("state.js");
 
 const parameters = [
     {lower: 0, upper: 0.5, logarithmic: true},
@@ -86,4 +90,79 @@ test("undo and redo go back and forth, a movement in one step", () => {
     assert.equal(undone(undone(undone(history))).present.values.scale, 1);
     assert.deepEqual(redone(redone(undone(undone(history)))), history);
     assert.equal(changed(undone(history), model(3)).future.length, 0);
+});
+
+test("what is not to be seen is written out, and nothing else changes", () => {
+    assert.equal(visible("Müller's arm, 45° – ½ 皮膚 <b>&amp;</b>"), "Müller's arm, 45° – ½ 皮膚 <b>&amp;</b>");
+    assert.equal(visible("a\nb\tc\r\u001b[0m\u0000"), "a\\nb\\tc\\r\\x1b[0m\\x00");
+    assert.equal(visible("\u202eabc\u2066\u200b\u2028\ufeff\u{e0041}\ud800"), "\\u{202e}abc\\u{2066}\\u{200b}\\u{2028}\\u{feff}\\u{e0041}\\u{d800}");
+    assert.equal(visible("\u0085\u009b"), "\\x85\\x9b");
+    assert.equal(shortened("\n".repeat(40), 8), "\\n\\n\\n\\…");
+    assert.deepEqual([[], ["a"], ["a", "b"], ["a", "b", "c"]].map(listed), ["", "a", "a and b", "a, b and c"]);
+});
+
+test("a curve is interpolated exactly where it is a cubic, and not beyond what is known", () => {
+    const cubic = (x) => 1e-6 * (x - 500) ** 3 + 0.002 * x;
+    const x = [400, 402, 404, 407, 410, 420];
+    for (const at of [400.5, 403, 405.9, 409, 419]) assert.ok(Math.abs(interpolated(x, x.map(cubic), at) - cubic(at)) < 1e-12);
+    for (const [i, at] of x.entries()) assert.equal(interpolated(x, x.map(cubic), at), x.map(cubic)[i]);
+    for (const at of [399, 421]) assert.equal(interpolated(x, x.map(cubic), at), null);
+    assert.equal(interpolated([400, 450], [0, 1], 425), null);
+    assert.equal(interpolated([400, 410], [0, 1], 405), 0.5);
+    assert.deepEqual(residualsOf({wavelength_nm: [400, 410], reading: [0.5, 0.5]}, {wavelength_nm: [390, 400, 405], value: [0, 0.25, 0.75]}),
+        {x: [400, 405], y: [0.25, -0.25], indices: [1, 2]});
+});
+
+test("what a file may decide is left to it until it is set", () => {
+    const model = modelOf({parameters: {scale: {value: 1}}, free: ["scale"], own: [], edition: "revised", layers: 4, starts: 8, noise: null}, ["edition", "layers"]);
+    assert.deepEqual(model.settings, {edition: null, layers: null, starts: 8, noise: null});
+    assert.deepEqual(configurationOf(model), {starts: 8, parameters: {scale: 1}, free: ["scale"]});
+    // Set to what is the default all the same, a link holds it.
+    const set = {...model, settings: {...model.settings, edition: "revised"}};
+    assert.equal(fragmentOf(set, model), "edition=revised");
+    const fitted = withFitted(set, {parameters: {scale: {value: 1.2}, "scale[2]": {value: 3}}}, {edition: null, layers: 2});
+    assert.deepEqual([fitted.values, fitted.settings.edition, fitted.settings.layers], [{scale: 1.2}, null, 2]);
+});
+
+test("a link sets nothing that the page does not offer", () => {
+    const offered = {edition: ["printed", "revised"]};
+    assert.equal(modelFrom("#edition=first", defaults, offered).complaints.length, 1);
+    assert.equal(modelFrom("#edition=first", defaults, offered).model.settings.edition, "revised");
+    assert.equal(modelFrom("#edition=printed", defaults, offered).model.settings.edition, "printed");
+});
+
+test("a measurement is told in words", () => {
+    const names = ["quantity", "incidence_deg", "specular", "viewing_cone_deg", "bandpass_shape", "bandpass_width_nm", "edition"];
+    assert.equal(inWordsMeasurement({quantity: "reflectance", incidence_deg: 45, specular: "excluded", viewing_cone_deg: null, bandpass_shape: "triangular", bandpass_width_nm: 0}, names),
+        "reflectance, incidence 45°, specular excluded");
+    assert.equal(inWordsMeasurement({viewing_cone_deg: 5, bandpass_shape: "gaussian", bandpass_width_nm: 10}, names), "viewed within 5° of the normal, bandpass shape gaussian, bandpass 10 nm");
+    assert.equal(inWordsStated({name: "a", incidence_deg: 8, notes: [["edition", "printed"], ["site", "arm"]], value: [1], wavelength_nm: [1]}, names), "incidence 8°, edition printed");
+    const decided = {measurement: {incidence_deg: 45, viewing_cone_deg: null}, decided_by: {incidence_deg: "file", viewing_cone_deg: "default"}};
+    assert.equal(inWordsDecided("incidence_deg", decided), "45 (file)");
+    assert.equal(inWordsDecided("viewing_cone_deg", decided), "hemisphere (default)");
+});
+
+test("two fits differ in what differs, and in nothing else", () => {
+    const parameter = (value, status, start = value) => ({value, start, status, sigma: null, interval_95: [0, 1], unit: ""});
+    const fit = (changes = {}, configuration = {}, parameters = {}) => ({source: "a.csv", ...changes, report: {
+        spectrum: {name: "arm"}, wavelength_nm: [400, 700], ...changes.report,
+        parameters: {scale: parameter(1.1, "free", 1), offset: parameter(0, "fixed"), ...parameters},
+        configuration: {edition: "revised", exclude_nm: [], noise: 0.006, free: ["scale"], parameters: {scale: {value: 1.1, lower: 0.5, upper: 2}}, ...configuration},
+    }});
+    const names = (...fits) => differencesOf(fits).map(({name}) => name);
+    // The answer itself is no difference of what was asked.
+    assert.deepEqual(names(fit(), fit({}, {}, {scale: parameter(1.3, "free", 1)})), []);
+    assert.deepEqual(names(fit(), fit({source: "b.csv"})), ["file"]);
+    assert.deepEqual(differencesOf([fit(), fit({}, {edition: "printed", exclude_nm: [[500, 510]]})]),
+        [{name: "edition", values: ["revised", "printed"]}, {name: "exclude (nm)", values: ["none", "[[500,510]]"]}]);
+    assert.deepEqual(differencesOf([fit(), fit({}, {discrepancy: {sigma: 0.005, kernel: "matern_3_2"}})]),
+        [{name: "discrepancy", values: ["none", "sigma 0.005, kernel matern_3_2"]}]);
+    assert.deepEqual(differencesOf([fit(), fit({}, {}, {offset: parameter(0.01, "at lower bound", 0)})]), [{name: "free beside the others", values: ["none", "offset"]}]);
+    assert.deepEqual(differencesOf([fit(), fit({}, {}, {offset: parameter(0.02, "fixed")})]), [{name: "offset, held", values: ["0", "0.02"]}]);
+    assert.deepEqual(names(fit(), fit({}, {}, {scale: parameter(1.1, "free", 0.9)})), ["scale, start"]);
+    assert.deepEqual(differencesOf([fit(), fit({}, {parameters: {scale: {value: 1.1, lower: 0.9, upper: 2}}})]), [{name: "scale, limits", values: ["lower 0.5, upper 2", "lower 0.9, upper 2"]}]);
+    assert.deepEqual(differencesOf([fit(), fit({report: {wavelength_nm: [450, 500, 700], spectrum: {name: "leg"}}})]),
+        [{name: "spectrum", values: ["arm", "leg"]}, {name: "readings", values: ["2, 400 to 700 nm", "3, 450 to 700 nm"]}]);
+    const joint = fit({report: {spectra: [{name: "a", wavelength_nm: [400]}, {name: "b", wavelength_nm: [500, 700]}]}});
+    assert.deepEqual(names(fit(), joint), ["spectrum", "readings"]);
 });

@@ -86,12 +86,20 @@ export async function until(look, passes, what) {
     }
 }
 
-/// Drops text as a file upon the page.
-export async function drop(page, name, text) {
+/// The numbers under a plot: the labels of its curves, and of each wavelength the value of each.
+export async function numbers(page, summary = "The same in numbers") {
+    const box = page.locator("details.numbers", {hasText: summary});
+    const labels = (await box.locator("thead th").allTextContents()).slice(1);
+    const rows = await box.locator("tbody tr").evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
+    return {labels, rows: rows.map(([nm, ...values]) => ({nm: Number(nm), values: values.map((value) => (value === "–" ? null : Number(value)))}))};
+}
+
+/// Drops text as a file upon what `onto` selects; a browser gives the file to the page at that place.
+export async function drop(page, name, text, onto = "main") {
     const data = await page.evaluateHandle(([file, content]) => {
         const transfer = new DataTransfer();
         transfer.items.add(new File([content], file));
         return transfer;
     }, [name, text]);
-    await page.dispatchEvent(".drop", "drop", {dataTransfer: data});
+    await page.dispatchEvent(onto, "drop", {dataTransfer: data});
 }

@@ -112,7 +112,7 @@ TEST_F(Asked, ExportsRunAgain) {
     const Json found = post("/api/export", {{"configuration", stated}}).json;
     EXPECT_EQ(simulate(found["configuration"]).json, simulate(stated).json);
     const Spectrum simulated =
-        parse_spectrum(found["csv"].get<std::string>(), "simulation.csv", {.column = "reflectance"});
+        parse_spectrum(found["simulations"][0]["csv"].get<std::string>(), "simulation.csv", {.column = "reflectance"});
     const Json reading = simulate(stated).json["reading"];
     ASSERT_EQ(simulated.value.size(), reading.size());
     for (std::size_t i = 0; i < reading.size(); ++i) {

@@ -27,8 +27,10 @@ protected:
         return {answer.status, Json::parse(answer.body)};
     }
     [[nodiscard]] Answer post(const std::string& path, const Json& json) { return ask("POST", path, json.dump()); }
+    /// Of the one model of a configuration without spectra; or the error.
     [[nodiscard]] Answer simulate(const Json& configuration) {
-        return post("/api/simulate", {{"configuration", configuration}});
+        const Answer answer = post("/api/simulate", {{"configuration", configuration}});
+        return answer.status == 200 ? Answer{200, answer.json["models"].at(0)} : answer;
     }
 
     /// The state of a fit once it has ended.

@@ -21,7 +21,7 @@ TEST_F(Simulating, IsTheReadingOfTheAngularSolver) {
         const Answer answer = simulate(json);
         ASSERT_EQ(answer.status, 200) << answer.json;
         const auto wavelengths_nm = answer.json["wavelength_nm"].get<std::vector<double>>();
-        ASSERT_EQ(wavelengths_nm.size(), 31U);
+        ASSERT_EQ(wavelengths_nm.size(), 151U);
         const auto expected = readings_of(configured(explore_configuration(), json, "test"), wavelengths_nm);
         for (std::size_t i = 0; i < expected.size(); ++i) {
             EXPECT_DOUBLE_EQ(answer.json["reading"][i].get<double>(), expected[i].reflectance);
@@ -60,6 +60,22 @@ TEST_F(Simulating, ASpectrumOfOneHalfIsGrey) {
     // The scaled reflectance, at most 0.01, adds at most 116 (cbrt(0.51) - cbrt(0.5)).
     EXPECT_NEAR(colour["lab"][0].get<double>(), expected_l, 116 * (std::cbrt(0.51) - std::cbrt(0.5)));
     EXPECT_TRUE(colour["in_gamut"].get<bool>());
+}
+
+TEST_F(Simulating, BothDipsOfOxygenatedBloodAreDrawn) {
+    // [PRAHL98]: the bands of oxygenated hemoglobin lie at 542 and 577 nm, with a rise of reflectance between them.
+    const Json answer =
+        simulate({{"parameters", {{"oxygen_saturation", 0.95}, {"papillary_blood_fraction", 0.05}}}}).json;
+    const auto nm = answer["wavelength_nm"].get<std::vector<double>>();
+    const auto reading = answer["reading"].get<std::vector<double>>();
+    std::vector<double> dips_nm;
+    for (std::size_t i = 1; i + 1 < nm.size(); ++i) {
+        const bool is_dip = reading[i] < reading[i - 1] && reading[i] < reading[i + 1];
+        if (is_dip && nm[i] > 500 && nm[i] < 620) dips_nm.push_back(nm[i]);
+    }
+    ASSERT_EQ(dips_nm.size(), 2U);
+    EXPECT_NEAR(dips_nm[0], 542, 2);
+    EXPECT_NEAR(dips_nm[1], 577, 2);
 }
 
 TEST_F(Simulating, WavelengthsThatReachNoColourAreTold) {

@@ -1,4 +1,5 @@
-import type {Exported, FitState, Json, MeasuredFile, Sensitivity, Simulation, Vocabulary} from "./types";
+import type {Exported, FitState, Json, Measured, MeasuredFile, Sensitivity, Simulation, Vocabulary} from "./types";
+import {visible} from "./words";
 
 /// The server does not answer any more.
 export class ServerGone extends Error {}
@@ -27,20 +28,23 @@ const ask = async (method: string, address: string, body?: string | ArrayBuffer)
 
 const post = (address: string, json: unknown) => ask("POST", address, JSON.stringify(json));
 
-export interface Order {
+/// A configuration, and the spectra that its model is to explain: a fit needs all of each, a curve what each states.
+export interface Question {
     configuration: Json;
     source: string;
-    measured: Json;
+    measured: Measured[];
 }
 
 export const api = {
     vocabulary: () => ask("GET", "vocabulary") as Promise<Vocabulary>,
-    simulate: (configuration: Json) => post("simulate", {configuration}) as Promise<Simulation>,
-    sensitivity: (configuration: Json) => post("sensitivity", {configuration}) as Promise<Sensitivity>,
-    exported: (configuration: Json) => post("export", {configuration}) as Promise<Exported>,
-    read: (name: string, bytes: ArrayBuffer) =>
-        ask("POST", `spectra?name=${encodeURIComponent(name)}`, bytes) as Promise<MeasuredFile>,
-    startFit: (order: Order) => post("fit", order) as Promise<{name: string}>,
+    simulate: (question: Question) => post("simulate", question) as Promise<{models: Simulation[]}>,
+    sensitivity: (question: Question) => post("sensitivity", question) as Promise<Sensitivity>,
+    exported: (question: Question) => post("export", question) as Promise<Exported>,
+    sample: () => ask("GET", "sample") as Promise<MeasuredFile>,
+    /// Of a file of `size` bytes, the bytes or their beginning.
+    read: (name: string, bytes: ArrayBuffer, size: number) =>
+        ask("POST", `spectra?name=${encodeURIComponent(visible(name))}&size=${size}`, bytes) as Promise<MeasuredFile>,
+    startFit: (order: Question) => post("fit", order) as Promise<{name: string}>,
     fit: (name: string) => ask("GET", `fit?name=${name}`) as Promise<FitState>,
     report: async (name: string) => (await response("GET", `report?name=${name}`)).text(),
     cancelFit: (name: string) => ask("DELETE", `fit?name=${name}`),

@@ -1,21 +1,25 @@
 import {useCallback, useEffect, useLayoutEffect, useMemo, useRef, useState} from "preact/hooks";
 import {api, ServerGone} from "./api";
 import {download} from "./download";
+import {drawnFor, questionOf, type Drawn} from "./drawn";
+import {Dropping} from "./dropping";
 import {Fits, type Fit} from "./fits";
 import {Following} from "./following";
-import {MeasuredFiles, opened, type OpenFile} from "./measured";
+import {inWordsRead, MeasuredFiles, opened, sent, type OpenFile} from "./measured";
 import {Parameters, type Change} from "./parameters";
 import {
-    begun, changed, configurationOf, defaultsOf, fragmentOf, inWordsNotLoaded, modelFrom, notLoaded, redone, undone, withMeasured, type History,
+    begun, changed, defaultsOf, fragmentOf, inWordsNotLoaded, modelFrom, notLoaded, redone, undone, withMeasured, type History,
 } from "./state";
-import type {Simulation, Vocabulary} from "./types";
+import type {Vocabulary} from "./types";
 import {Swatch, Views} from "./views";
+import {visible} from "./words";
 
 export function App({vocabulary}: {vocabulary: Vocabulary}) {
     const defaults = useMemo(() => defaultsOf(vocabulary), [vocabulary]);
-    const linked = useMemo(() => modelFrom(location.hash, defaults), [defaults]);
+    const offered = {engine: vocabulary.fit_engines};
+    const linked = useMemo(() => modelFrom(location.hash, defaults, offered), [defaults]);
     const [history, setHistory] = useState<History>(() => begun(linked.model));
-    const [simulation, setSimulation] = useState<Simulation>();
+    const [drawn, setDrawn] = useState<Drawn>();
     const [files, setFiles] = useState<OpenFile[]>(() => (vocabulary.file ? [opened(vocabulary.file)] : []));
     const sources = files.map(({source}) => source);
     const [named, setNamed] = useState(() => notLoaded(location.hash, sources));  // by the link, and not here
@@ -31,10 +35,10 @@ export function App({vocabulary}: {vocabulary: Vocabulary}) {
         else tell(error instanceof Error ? error.message : String(error));
     };
     const onError = useCallback(telling(setProblem), []);
-    const simulating = useMemo(() => new Following(api.simulate, (answer) => {
+    const simulating = useMemo(() => new Following(api.simulate, ({models}, question) => {
         setGone(false);
         setTrouble("");
-        setSimulation(answer);
+        setDrawn(drawnFor(models, question));
     }, telling(setTrouble)), []);
     const moved = useRef<number>();
     const loaded = useRef(sources);
@@ -44,7 +48,19 @@ export function App({vocabulary}: {vocabulary: Vocabulary}) {
         setHistory((all) => changed(all, next, settles));
     }, []);
 
-    useLayoutEffect(() => simulating.want(model, moved.current), [model]);
+    const read = useCallback(async (chosen: FileList | null | undefined) => {
+        for (const file of Array.from(chosen ?? [])) {
+            try {
+                const found = await sent(file, vocabulary.largest_file_bytes);
+                setFiles((all) => [...all, opened(found)]);
+                setNews(inWordsRead(found));
+            } catch (error) {
+                onError(error);
+            }
+        }
+    }, []);
+
+    useLayoutEffect(() => simulating.want(questionOf(model, files), moved.current), [model, files]);
     useEffect(() => {
         if (history.isMoving) return;
         const fragment = withMeasured(fragmentOf(model, defaults), [...sources, ...named]);
@@ -53,7 +69,7 @@ export function App({vocabulary}: {vocabulary: Vocabulary}) {
     useEffect(() => setNamed((all) => notLoaded(withMeasured("", all), sources)), [files]);
     useEffect(() => {
         const onLink = () => {
-            const {model: next, complaints} = modelFrom(location.hash, defaults);
+            const {model: next, complaints} = modelFrom(location.hash, defaults, offered);
             setProblem(complaints.join("; "));
             setHistory((all) => changed(all, next));
             setNamed(notLoaded(location.hash, loaded.current));
@@ -73,15 +89,17 @@ export function App({vocabulary}: {vocabulary: Vocabulary}) {
     }, []);
     useEffect(() => {
         if (!isGone) return;
-        const again = setInterval(() => simulating.want(model), 3000);
+        const again = setInterval(() => simulating.want(questionOf(model, files)), 3000);
         return () => clearInterval(again);
-    }, [isGone, model]);
+    }, [isGone, model, files]);
 
     const exported = async (form: "csv" | "json" | "configuration") => {
         try {
-            const found = (await api.exported(configurationOf(model)))[form];
-            const name = {csv: "simulation.csv", json: "simulation.json", configuration: "configuration.json"}[form];
-            download(name, typeof found === "string" ? found : JSON.stringify(found, null, 2) + "\n");
+            const {simulations, configuration} = await api.exported(questionOf(model, files));
+            const inText = (found: unknown) => (typeof found === "string" ? found : JSON.stringify(found, null, 2) + "\n");
+            if (form === "configuration") return download("configuration.json", inText(configuration));
+            simulations.forEach((simulation, k) =>
+                download(`simulation${simulations.length > 1 ? `_${k + 1}` : ""}.${form}`, inText(simulation[form])));
         } catch (error) {
             onError(error);
         }
@@ -98,7 +116,7 @@ export function App({vocabulary}: {vocabulary: Vocabulary}) {
                     <legend class="hidden">Edition of the model</legend>
                     {(vocabulary.schema.properties["edition"]?.enum ?? []).map(String).map((edition) => (
                         <label title={vocabulary.schema.properties["edition"]?.description}>
-                            <input type="radio" name="edition" value={edition} checked={model.settings["edition"] === edition}
+                            <input type="radio" name="edition" value={edition} checked={(drawn?.models[0]?.measurement["edition"] ?? vocabulary.configuration["edition"]) === edition}
                                 onChange={() => setEdition(edition)} />
                             <span>{edition}</span>
                         </label>
@@ -115,31 +133,32 @@ export function App({vocabulary}: {vocabulary: Vocabulary}) {
             </header>
             {isGone && <p class="banner" role="alert">skinfit does not answer: it has ended, or was stopped. Start <code>skinfit explore</code> again
                 and open the address it prints; what stands behind the # of this one restores your sliders there.</p>}
-            {trouble && <p class="banner problem" role="alert">{trouble}; the curve is that of before</p>}
+            {trouble && <p class="banner problem" role="alert">{visible(trouble)}; the curve is that of before</p>}
             {problem && (
-                <p class="banner problem" role="alert">{problem} <button type="button" onClick={() => setProblem("")}>Dismiss</button></p>
+                <p class="banner problem" role="alert">{visible(problem)} <button type="button" onClick={() => setProblem("")}>Dismiss</button></p>
             )}
             {named.length > 0 && (
                 <p class="banner problem" role="alert">{inWordsNotLoaded(named)} <button type="button" onClick={() => setNamed([])}>Do without</button></p>
             )}
-            <p class="hidden" role="status" aria-live="polite">{news}</p>
+            <p class="hidden" role="status" aria-live="polite">{visible(news)}</p>
             <main>
                 <div class="sight">
-                    {simulation
+                    {drawn
                         ? <>
-                            <Views vocabulary={vocabulary} model={model} simulation={simulation} files={files} fits={fits}
+                            <Views vocabulary={vocabulary} model={model} drawn={drawn} files={files} fits={fits}
                                 onDrawn={() => simulating.drawn()} onError={onError} />
-                            <Swatch colour={simulation.colour} />
+                            <Swatch colour={drawn.models[0]!.colour} />
                         </>
                         : <p class="hint">Computing …</p>}
                 </div>
-                <Parameters vocabulary={vocabulary} defaults={defaults} model={model} change={change} />
+                <Parameters vocabulary={vocabulary} defaults={defaults} model={model} measurement={drawn?.models[0]} change={change} />
                 <div class="work">
-                    <MeasuredFiles files={files} setFiles={setFiles} say={setNews} onError={onError} />
-                    <Fits vocabulary={vocabulary} defaults={defaults} model={model} change={change} files={files} fits={fits}
+                    <MeasuredFiles names={vocabulary.measurement_settings} files={files} setFiles={setFiles} read={read} say={setNews} onError={onError} />
+                    <Fits vocabulary={vocabulary} defaults={defaults} model={model} change={change} files={files} setFiles={setFiles} fits={fits}
                         setFits={setFits} say={setNews} onError={onError} />
                 </div>
             </main>
+            <Dropping read={read} />
             <footer>skinfit {vocabulary.version}. Research software, not a medical device. Shaded parts of sliders are the ranges published for healthy skin.</footer>
         </>
     );

@@ -1,17 +1,22 @@
 import {useState} from "preact/hooks";
-import {api} from "./api";
+import {api, type Question} from "./api";
+import {differencesOf} from "./differences";
 import {download} from "./download";
-import type {OpenFile} from "./measured";
+import {showing, shownOf, type OpenFile} from "./measured";
 import {Settings, type Change} from "./parameters";
 import {counted, inWords, shown, withSigma} from "./scale";
+import {Scrolled} from "./scrolled";
 import {configurationOf, withFitted, type Model} from "./state";
-import type {FitState, FittedParameter, Measured, Report, Vocabulary} from "./types";
+import type {FitState, FittedParameter, Json, Report, Vocabulary} from "./types";
+import {listed, shortened, visible} from "./words";
 
 /// A fit that runs or has run.
 export interface Fit {
     number: number;
     job: string;
-    source: string;
+    names: string;                          ///< of the spectra
+    files: OpenFile[];                      ///< they were ticked in
+    measurement: {[setting: string]: Json};  ///< as it was set when the fit began
     state: FitState;
     report?: Report;
 }
@@ -22,6 +27,7 @@ interface FitsProps {
     model: Model;
     change: Change;
     files: OpenFile[];
+    setFiles: (update: (files: OpenFile[]) => OpenFile[]) => void;
     fits: Fit[];
     setFits: (update: (fits: Fit[]) => Fit[]) => void;
     say: (message: string) => void;
@@ -35,21 +41,19 @@ const endings: {[form: string]: string} = {report: "json", text: "txt"};
 
 const pause = (milliseconds: number) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
-interface Target {
-    source: string;
-    spectra: Measured[];
-}
+const sourceOf = (files: OpenFile[]): string => [...new Set(shownOf(files).map(({file}) => file.source))].join(", ");
 
-function targetOf(files: OpenFile[]): Target {
-    const chosen = files.map((file) => ({source: file.source, spectra: file.measured.filter((_, i) => file.visible.has(i))}))
-        .filter(({spectra}) => spectra.length > 0);
-    return {source: chosen.map(({source}) => source).join(", "), spectra: chosen.flatMap(({spectra}) => spectra)};
-}
+/// The spectra that are shown, to be explained together.
+const orderOf = (model: Model, files: OpenFile[]): Question => ({
+    configuration: configurationOf(model),
+    source: sourceOf(files),
+    measured: shownOf(files).map(({spectrum}) => spectrum),
+});
 
 export function Fits(props: FitsProps) {
-    const {model, files, fits, setFits, say, onError} = props;
+    const {vocabulary, model, files, fits, setFits, say, onError} = props;
     const [count, setCount] = useState(0);
-    const target = targetOf(files);
+    const targets = shownOf(files).map(({spectrum}) => visible(spectrum.name));
 
     const follow = async (number: number, job: string) => {
         for (;;) {
@@ -66,11 +70,12 @@ export function Fits(props: FitsProps) {
     const start = async () => {
         const number = count + 1;
         try {
-            const {name: job} = await api.startFit(
-                {configuration: configurationOf(model), source: target.source, measured: target.spectra});
+            const {name: job} = await api.startFit(orderOf(model, files));
             setCount(number);
             const state: FitState = {state: "running", progress: {stage: "starting", done: 0, total: 1}, seconds: 0};
-            setFits((all) => [...all, {number, job, source: target.spectra.map(({name}) => name).join(" + "), state}]);
+            const measurement = Object.fromEntries(vocabulary.measurement_settings.map((name) => [name, model.settings[name] ?? null]));
+            const ticked = files.filter(({visible: shown}) => shown.size > 0);
+            setFits((all) => [...all, {number, job, names: shortened(targets.join(" + "), 80), files: ticked, measurement, state}]);
             say(`fit ${number} has begun`);
             await follow(number, job).catch((error: unknown) => {
                 setFits((all) => all.filter((fit) => fit.number !== number));
@@ -86,9 +91,9 @@ export function Fits(props: FitsProps) {
         <section class="fits" aria-labelledby="fits-title">
             <h2 id="fits-title">Fit</h2>
             <p class="hint">
-                {target.spectra.length === 0
+                {targets.length === 0
                     ? "Tick a measured spectrum; the parameters ticked “fit” are adjusted until the model explains it."
-                    : `Explains ${target.spectra.map(({name}) => name).join(" and ")} by ${counted(model.free.length, "parameter")}, ` +
+                    : `Explains ${shortened(listed(targets), 200)} by ${counted(model.free.length, "parameter")}, ` +
                       "starting from the sliders. Several spectra are explained together, as one specimen."}
             </p>
             <details>
@@ -96,7 +101,7 @@ export function Fits(props: FitsProps) {
                 <Settings names={fitSettings} {...props} />
                 <Discrepancy {...props} />
             </details>
-            <button type="button" class="primary" disabled={target.spectra.length === 0 || model.free.length === 0}
+            <button type="button" class="primary" disabled={targets.length === 0 || model.free.length === 0}
                 onClick={() => void start()}>Fit</button>
             {running.map((fit) => <Running key={fit.number} fit={fit} onError={onError} />)}
             {done.length > 0 && <Comparison {...props} fits={done} />}
@@ -156,29 +161,47 @@ function PageButton({fit: {number, job}, say, onError}: {fit: Fit} & Pick<FitsPr
     );
 }
 
-function Comparison({vocabulary, model, change, fits, setFits, say, onError}: FitsProps) {
+/// In what several fits differ, beside their answers.
+function DifferenceRows({fits}: {fits: Fit[]}) {
+    if (fits.length < 2) return null;
+    const found = differencesOf(fits.map(({files, report}) => ({source: sourceOf(files), report: report!})));
+    return (
+        <tbody class="differences">
+            <tr><th scope="rowgroup" colSpan={fits.length + 1}>{found.length > 0 ? "What differs" : "Nothing differs: file, settings and parameters are the same"}</th></tr>
+            {found.map(({name, values}) => <tr><th scope="row">{name}</th>{values.map((value) => <td>{value}</td>)}</tr>)}
+            <tr><th scope="rowgroup" colSpan={fits.length + 1}>The answers</th></tr>
+        </tbody>
+    );
+}
+
+function Comparison({vocabulary, model, change, setFiles, fits, setFits, say, onError}: FitsProps) {
     const rows = [...new Set(fits.flatMap(({report}) =>
         Object.entries(report!.parameters).filter(([, {status}]) => status !== "fixed").map(([name]) => name)))];
     const unitOf = (name: string) => vocabulary.parameters.find((each) => each.name === name)?.unit ?? "";
+    const toSliders = ({report, measurement, files}: Fit) => {
+        change(withFitted(model, report!, measurement));
+        setFiles((all) => showing(all, files));
+    };
     const cells = (render: (report: Report, fit: Fit) => preact.ComponentChildren) =>
         fits.map((fit) => <td>{render(fit.report!, fit)}</td>);
     return (
-        <div class="scrolled" tabIndex={0} role="region" aria-label="Fits side by side">
+        <Scrolled label="Fits side by side">
             <table class="comparison">
                 <caption>Fitted values ± 1 sigma</caption>
                 <thead>
                     <tr>
                         <th scope="col">parameter</th>
-                        {fits.map(({number, source}) => <th scope="col">fit {number}<small>{source}</small></th>)}
+                        {fits.map(({number, names}) => <th scope="col">fit {number}<small>{names}</small></th>)}
                     </tr>
                 </thead>
+                <DifferenceRows fits={fits} />
                 <tbody>
                     <tr>
                         <th scope="row">verdict</th>
                         {cells(({verdict, reasons}) => (
                             <details class={`verdict ${verdict}`}>
                                 <summary>{verdict}</summary>
-                                {reasons.length === 0 ? <p>nothing speaks against it</p> : <ul>{reasons.map((reason) => <li>{reason}</li>)}</ul>}
+                                {reasons.length === 0 ? <p>nothing speaks against it</p> : <ul>{reasons.map((reason) => <li>{visible(reason)}</li>)}</ul>}
                             </details>
                         ))}
                     </tr>
@@ -203,9 +226,9 @@ function Comparison({vocabulary, model, change, fits, setFits, say, onError}: Fi
                     </tr>
                     <tr>
                         <th scope="row"><span class="hidden">actions</span></th>
-                        {cells((report, fit) => (
+                        {cells((_, fit) => (
                             <div class="actions">
-                                <button type="button" onClick={() => change(withFitted(model, report))}
+                                <button type="button" onClick={() => toSliders(fit)}
                                     aria-label={`sliders to fit ${fit.number}`}>To sliders</button>
                                 {Object.entries(fit.state.documents!).map(([form, document]) => (
                                     <button type="button" aria-label={`report of fit ${fit.number} as ${endings[form] ?? form}`}
@@ -222,6 +245,6 @@ function Comparison({vocabulary, model, change, fits, setFits, say, onError}: Fi
                     </tr>
                 </tbody>
             </table>
-        </div>
+        </Scrolled>
     );
 }

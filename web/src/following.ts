@@ -1,23 +1,20 @@
-import {configurationOf, type Model} from "./state";
-import type {Json} from "./types";
-
-/// Keeps an answer of the server up with the sliders: one request at a time, always for the latest model, so that a
-/// fast slider skips models rather than piling them up.
-export class Following<Answer> {
-    private wanted: Model | undefined;
+/// Keeps an answer of the server up with the sliders: one request at a time, always for the latest question, so that
+/// a fast slider skips models rather than piling them up.
+export class Following<Question, Answer> {
+    private wanted: Question | undefined;
     private isBusy = false;
     private since: number | undefined;  // the first event that no answer takes into account yet
     private answered: number | undefined;
 
     constructor(
-        private readonly ask: (configuration: Json) => Promise<Answer>,
-        private readonly show: (answer: Answer) => void,
+        private readonly ask: (question: Question) => Promise<Answer>,
+        private readonly show: (answer: Answer, question: Question) => void,
         private readonly fail: (error: unknown) => void,
     ) {}
 
-    /// The model to ask for, and when a slider changed it.
-    want(model: Model, since?: number): void {
-        this.wanted = model;
+    /// What to ask, and when a slider changed it.
+    want(question: Question, since?: number): void {
+        this.wanted = question;
         this.since ??= since;
         if (!this.isBusy) void this.work();
     }
@@ -32,13 +29,13 @@ export class Following<Answer> {
     private async work(): Promise<void> {
         this.isBusy = true;
         while (this.wanted) {
-            const model = this.wanted;
+            const question = this.wanted;
             const since = this.since;
             this.wanted = this.since = undefined;
             try {
-                const answer = await this.ask(configurationOf(model));
+                const answer = await this.ask(question);
                 this.answered = since;
-                this.show(answer);
+                this.show(answer, question);
             } catch (error) {
                 this.fail(error);
             }

@@ -1,8 +1,9 @@
 import {useMemo} from "preact/hooks";
 import {Field} from "./field";
 import type {Model} from "./state";
+import {inWordsDecided} from "./measurement";
 import {inWords, rounded, scaleOf, shown} from "./scale";
-import type {Json, Parameter, SettingSchema, Vocabulary} from "./types";
+import type {Json, Measurement, Parameter, SettingSchema, Vocabulary} from "./types";
 
 /// Another model, and whether a movement has come to its end.
 export type Change = (model: Model, settles?: boolean, event?: Event) => void;
@@ -11,11 +12,10 @@ interface PanelProps {
     vocabulary: Vocabulary;
     defaults: Model;
     model: Model;
+    measurement?: Measurement | undefined;  ///< for which the model is drawn
     change: Change;
 }
 
-/// Settings of the geometry and of the simulation; those of a fit stand with the fit.
-const measurementSettings = ["quantity", "specular", "incidence_deg", "viewing_cone_deg", "layers", "base", "instrument", "wavelengths"];
 const openGroups = ["epidermis", "blood"];
 
 export function Parameters(props: PanelProps) {
@@ -32,7 +32,8 @@ export function Parameters(props: PanelProps) {
             ))}
             <details class="group">
                 <summary><h2>measurement</h2></summary>
-                <Settings names={measurementSettings} {...props} />
+                <p class="hint">What is left open is taken from the measured file that is ticked, else from the defaults.</p>
+                <Settings names={[...vocabulary.measurement_settings, "wavelengths"]} {...props} />
             </details>
             <button type="button" onClick={() => change(defaults)} disabled={model === defaults}>Back to the defaults</button>
         </section>
@@ -92,12 +93,13 @@ function UsualRange({parameter}: {parameter: Parameter}) {
 }
 
 /// Settings as their schema describes them.
-export function Settings({names, vocabulary, model, change}: PanelProps & {names: string[]}) {
+export function Settings({names, vocabulary, model, measurement, change}: PanelProps & {names: string[]}) {
     return (
         <>
             {names.filter((name) => name in vocabulary.schema.properties).map((name) => (
                 <SettingRow key={name} name={name} schema={vocabulary.schema.properties[name]!} vocabulary={vocabulary}
                     value={model.settings[name] ?? null}
+                    open={measurement && vocabulary.measurement_settings.includes(name) ? inWordsDecided(name, measurement) : "default"}
                     change={(value) => change({...model, settings: {...model.settings, [name]: value}})} />
             ))}
         </>
@@ -109,17 +111,21 @@ interface SettingProps {
     schema: SettingSchema;
     vocabulary: Vocabulary;
     value: Json;
+    open: string;  ///< what holds where it is not set
     change: (value: Json) => void;
 }
 
 /// The values to choose from; none where any number or text will do.
 function choicesOf({name, schema, vocabulary}: SettingProps): Json[] | undefined {
     if (name === "instrument") return [null, ...vocabulary.instruments];
-    return schema.enum ?? schema.anyOf?.find((each) => each.enum)?.enum;
+    if (name === "engine") return vocabulary.fit_engines;
+    const choices = schema.enum ?? schema.anyOf?.find((each) => each.enum)?.enum;
+    const isOpen = vocabulary.measurement_settings.includes(name) && choices?.includes(null) === false;
+    return isOpen ? [null, ...choices] : choices;
 }
 
 function SettingRow(props: SettingProps) {
-    const {name, schema, value, change} = props;
+    const {name, schema, value, open, change} = props;
     const choices = choicesOf(props);
     const id = `setting-${name}`;
     const takesNumber = [schema.type].flat().some((type) => type === "number" || type === "integer") && name !== "wavelengths";
@@ -134,11 +140,11 @@ function SettingRow(props: SettingProps) {
                 ? <select id={id} value={JSON.stringify(value)}
                     onChange={(event) => change(JSON.parse((event.target as HTMLSelectElement).value) as Json)}>
                     {choices.map((choice) => (
-                        <option value={JSON.stringify(choice)}>{choice === null ? "default" : inWords(String(choice))}</option>
+                        <option value={JSON.stringify(choice)}>{choice === null ? open : inWords(String(choice))}</option>
                     ))}
                 </select>
                 : <Field id={id} type={takesNumber ? "number" : "text"} step="any" min={schema.minimum} max={schema.maximum}
-                    value={value === null ? "" : String(value)} placeholder="default" settle={settle} />}
+                    value={value === null ? "" : String(value)} placeholder={open} settle={settle} />}
         </div>
     );
 }

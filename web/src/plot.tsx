@@ -1,13 +1,14 @@
 import {useLayoutEffect, useRef} from "preact/hooks";
 import uPlot from "uplot";
+import {Scrolled} from "./scrolled";
 
-/// A curve, points, or an area that stands on the one before it.
+/// A curve, points, an area that stands on the one before it, or an edge of a band, of which two follow each other.
 export interface Curve {
     label: string;
     x: number[];
     y: number[];
     colour: string;
-    look: "line" | "dashed" | "points" | "area";
+    look: "line" | "dashed" | "points" | "area" | "edge";
     share?: number[];  ///< of an area: its own height, for the numbers
 }
 
@@ -17,6 +18,8 @@ interface PlotProps {
     description: string;  ///< for those who do not see it
     fromZero?: boolean;
     top?: number;
+    isSmall?: boolean;          ///< stands below another plot, which has the legend
+    xRange?: [number, number];  ///< of the other plot
     onDrawn?: () => void;
 }
 
@@ -31,7 +34,7 @@ function seriesOf(curve: Curve, latest: () => Curve[]): uPlot.Series {
     return {
         label: curve.label,
         stroke: curve.colour,
-        width: isPoints ? 0 : curve.look === "area" ? 1 : 2,
+        width: isPoints || curve.look === "edge" ? 0 : curve.look === "area" ? 1 : 2,
         ...(curve.look === "dashed" ? {dash: [6, 4]} : {}),
         ...(curve.look === "area" ? {fill: curve.colour} : {}),
         points: {show: isPoints, size: 6, ...(isPoints ? {fill: curve.colour} : {})},
@@ -43,6 +46,10 @@ function joined(curves: Curve[]): uPlot.AlignedData {
     if (curves.length === 0) return [[]];
     return uPlot.join(curves.map(({x, y}) => [x, y]));
 }
+
+/// Between two edges.
+const bandsOf = (curves: Curve[]): uPlot.Band[] => curves.flatMap((curve, k) =>
+    curve.look === "edge" && curves[k + 1]?.look === "edge" ? [{series: [k + 1, k + 2] as [number, number], fill: `${curve.colour}38`}] : []);
 
 function optionsOf(latest: () => PlotProps, width: number, height: number, onDraw: () => void): uPlot.Options {
     const props = latest();
@@ -56,10 +63,12 @@ function optionsOf(latest: () => PlotProps, width: number, height: number, onDra
     return {
         width,
         height,
-        padding: [12, 12, 0, 0],
+        padding: [props.isSmall ? 4 : 12, 12, 0, 0],
+        legend: {show: !props.isSmall},
+        bands: bandsOf(props.curves),
         cursor: {drag: {x: false, y: false}, points: {size: 7}},
         scales: {
-            x: {time: false},
+            x: {time: false, ...(props.xRange ? {range: () => latest().xRange!} : {})},
             y: {
                 range: (_, low, high) => {
                     const bottom = props.fromZero && low >= 0 ? 0 : low;
@@ -69,8 +78,8 @@ function optionsOf(latest: () => PlotProps, width: number, height: number, onDra
             },
         },
         axes: [
-            {...axis, label: "wavelength / nm", labelSize: 22, size: 34},
-            {...axis, label: props.yLabel, labelSize: 22, size: 52},
+            props.isSmall ? {...axis, size: 6, values: () => []} : {...axis, label: "wavelength / nm", labelSize: 22, size: 34},
+            {...axis, label: props.yLabel, labelSize: 22, size: 58, ...(props.isSmall ? {space: 22} : {})},
         ],
         series: [
             {label: "nm", value: (_, value) => (value === null || value === undefined ? "–" : String(value))},
@@ -82,7 +91,7 @@ function optionsOf(latest: () => PlotProps, width: number, height: number, onDra
 
 /// What needs another plot rather than other data.
 const shapeOf = (props: PlotProps) =>
-    JSON.stringify([props.yLabel, props.fromZero, props.top, props.curves.map(({label, colour, look}) => [label, colour, look])]);
+    JSON.stringify([props.yLabel, props.fromZero, props.top, props.isSmall, props.curves.map(({label, colour, look}) => [label, colour, look])]);
 
 export function Plot(props: PlotProps) {
     const box = useRef<HTMLDivElement>(null);
@@ -94,7 +103,7 @@ export function Plot(props: PlotProps) {
     useLayoutEffect(() => {
         const element = box.current;
         if (!element) return;
-        const size = () => ({width: element.clientWidth, height: parseInt(css("--plot-height"))});
+        const size = () => ({width: element.clientWidth, height: parseInt(css(props.isSmall ? "--residual-height" : "--plot-height"))});
         const make = () => {
             plot.current?.destroy();
             const {width, height} = size();
@@ -118,24 +127,24 @@ export function Plot(props: PlotProps) {
 
     return (
         <>
-            <div class="plot" role="img" aria-label={props.description} ref={box} />
+            <div class={props.isSmall ? "residuals" : "plot"} role="img" aria-label={props.description} ref={box} />
             <details class="numbers">
-                <summary>The same in numbers</summary>
-                <NumberTable curves={props.curves} />
+                <summary>{props.isSmall ? "The residuals in numbers" : "The same in numbers"}</summary>
+                <NumberTable curves={props.curves} label={props.isSmall ? "values of the residuals" : "values of the curves"} />
             </details>
         </>
     );
 }
 
-function NumberTable({curves}: {curves: Curve[]}) {
+function NumberTable({curves, label}: {curves: Curve[]; label: string}) {
     const [wavelengths, ...columns] = joined(curves);
     return (
-        <div class="scrolled" tabIndex={0} role="region" aria-label="values of the curves">
+        <Scrolled label={label}>
             <table>
                 <thead>
                     <tr>
                         <th scope="col">nm</th>
-                        {curves.map(({label}) => <th scope="col">{label}</th>)}
+                        {curves.map((curve) => <th scope="col">{curve.label}</th>)}
                     </tr>
                 </thead>
                 <tbody>
@@ -147,6 +156,6 @@ function NumberTable({curves}: {curves: Curve[]}) {
                     ))}
                 </tbody>
             </table>
-        </div>
+        </Scrolled>
     );
 }

@@ -43,9 +43,6 @@ export function withSigma(value: number, sigma: number): string {
     return `${value.toFixed(decimals)} ± ${sigma.toFixed(decimals)}`;
 }
 
-/// A name as there is room for it.
-export const shortened = (name: string, most = 36): string => (name.length <= most ? name : `${name.slice(0, most - 1)}…`);
-
 /// "1 finding", "2 findings".
 export const counted = (count: number, one: string, more = `${one}s`): string => `${count} ${count === 1 ? one : more}`;
 

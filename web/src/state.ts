@@ -1,6 +1,8 @@
 import type {Json, Report, Vocabulary} from "./types";
+import {listed, visible} from "./words";
 
-/// Everything that undo restores and a link holds.
+/// Everything that undo restores and a link holds. A setting that is null is not stated: the measured file decides it,
+/// or the default.
 export interface Model {
     values: {[parameter: string]: number};
     settings: {[setting: string]: Json};
@@ -11,24 +13,27 @@ type Stated = {[parameter: string]: {value: number}};
 
 const names = (json: Json | undefined): string[] => (Array.isArray(json) ? json.map(String) : []);
 
-/// The model that a whole configuration describes.
-export function modelOf(configuration: {[key: string]: Json}): Model {
-    const {parameters, free, own: _own, ...settings} = configuration;
+/// The model that a whole configuration describes, with the settings `open` left to measured files.
+export function modelOf(configuration: {[key: string]: Json}, open: string[]): Model {
+    const {parameters, free, own: _own, ...stated} = configuration;
+    const settings = {...stated, ...Object.fromEntries(open.map((name) => [name, null]))};
     const values = Object.fromEntries(
         Object.entries((parameters ?? {}) as unknown as Stated).map(([name, {value}]) => [name, value]));
     return {values, settings, free: names(free)};
 }
 
 /// The model as the server takes it.
-export const configurationOf = (model: Model): Json => ({...model.settings, parameters: model.values, free: model.free});
+export const configurationOf = ({settings, values, free}: Model): Json =>
+    ({...Object.fromEntries(Object.entries(settings).filter(([, value]) => value !== null)), parameters: values, free});
 
-/// `model` with the values that a fit found. Values of one spectrum alone, `name[2]`, have no slider.
-export function withFitted(model: Model, report: Report): Model {
+/// `model` with the values that a fit found, and the settings of the measurement that it was asked with: that of the fit.
+/// Values of one spectrum alone, `name[2]`, have no slider.
+export function withFitted(model: Model, report: Report, measurement: {[setting: string]: Json}): Model {
     const values = {...model.values};
     for (const [name, {value}] of Object.entries(report.parameters)) {
         if (name in values) values[name] = value;
     }
-    return {...model, values};
+    return {...model, values, settings: {...model.settings, ...measurement}};
 }
 
 const same = (a: Json | undefined, b: Json | undefined) => JSON.stringify(a) === JSON.stringify(b);
@@ -54,8 +59,9 @@ function settingFrom(text: string): Json {
     }
 }
 
-/// The model that a fragment describes. What it says of unknown names or in no numbers is told in `complaints`.
-export function modelFrom(fragment: string, defaults: Model): {model: Model; complaints: string[]} {
+/// The model that a fragment describes. What it says of unknown names, in no numbers, or beside what is `offered` for a
+/// setting, is told in `complaints`.
+export function modelFrom(fragment: string, defaults: Model, offered: {[setting: string]: Json[]} = {}): {model: Model; complaints: string[]} {
     const model = structuredClone(defaults);
     const complaints: string[] = [];
     for (const [name, text] of new URLSearchParams(fragment.replace(/^#/, ""))) {
@@ -70,7 +76,9 @@ export function modelFrom(fragment: string, defaults: Model): {model: Model; com
             if (Number.isFinite(value)) model.values[name] = value;
             else complaints.push(`the link gives ${name} as "${text}", which is no number`);
         } else if (name in defaults.settings) {
-            model.settings[name] = settingFrom(text);
+            const value = settingFrom(text);
+            if (!offered[name] || offered[name].includes(value)) model.settings[name] = value;
+            else complaints.push(`the link sets ${name} to "${text}", which this page does not offer; it offers ${listed(offered[name].map(String))}`);
         } else {
             complaints.push(`the link names "${name}", which is neither parameter nor setting`);
         }
@@ -102,8 +110,8 @@ export function notLoaded(fragment: string, sources: string[]): string[] {
 export function inWordsNotLoaded(names: string[]): string {
     const are = names.length === 1 ? "the measured file" : "the measured files";
     const it = names.length === 1 ? "it" : "them";
-    return `The link was made with ${are} ${names.join(" and ")}, which a link does not hold. The sliders are restored; to see and fit ` +
-        `the measurement as well, choose ${it} under “Measured spectra”, or drop ${it} there.`;
+    return `The link was made with ${are} ${listed(names.map(visible))}, which a link does not hold. The sliders are restored; to see and fit ` +
+        `the measurement as well, choose ${it} under “Measured spectra”, or drop ${it} anywhere on the page.`;
 }
 
 /// The models that were, the one that is, and those that undo has left behind.
@@ -138,4 +146,4 @@ export function redone(history: History): History {
 }
 
 /// Where the page begins.
-export const defaultsOf = (vocabulary: Vocabulary): Model => modelOf(vocabulary.configuration);
+export const defaultsOf = (vocabulary: Vocabulary): Model => modelOf(vocabulary.configuration, vocabulary.measurement_settings);

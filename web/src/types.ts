@@ -49,6 +49,7 @@ export interface MeasuredFile {
     unit_rule: string;
     findings: Finding[];
     measured: Measured[];
+    statements: Measured[];  ///< of each of `measured`, all but its readings: for it a model can be drawn
 }
 
 export interface Vocabulary {
@@ -57,6 +58,9 @@ export interface Vocabulary {
     groups: string[];
     layers: string[];
     instruments: string[];
+    measurement_settings: string[];
+    fit_engines: string[];
+    largest_file_bytes: number;
     configuration: {[key: string]: Json};
     schema: {properties: {[key: string]: SettingSchema}};
     file: MeasuredFile | null;
@@ -71,7 +75,14 @@ export interface Colour {
     unknown?: string;
 }
 
-export interface Simulation {
+/// For which measurement a model is drawn: the settings, and of each who decides it.
+export interface Measurement {
+    measurement: {[setting: string]: Json};
+    decided_by: {[setting: string]: string};
+}
+
+export interface Simulation extends Measurement {
+    spectra: number[];  ///< which statements of the question it is for
     quantity: string;
     wavelength_nm: number[];
     reading: number[];
@@ -86,22 +97,33 @@ export interface Sensitivity {
 
 export interface FittedParameter {
     value: number;
+    start: number;
     sigma: number | null;
     interval_95: [number, number];
     status: string;
     unit: string;
 }
 
-export interface Report {
+/// A spectrum and its explanation.
+export interface Explained {
+    name: string;
+    wavelength_nm: number[];
+    measured: number[];
+    sigma: number[];
+    modelled: number[];
+    residual: number[];
+}
+
+/// Of one spectrum its readings stand in the report, of several in `spectra`.
+export interface Report extends Partial<Explained> {
     verdict: string;
     reasons: string[];
     rmse: number;
     chi2: number;
     degrees_of_freedom: number;
     parameters: {[name: string]: FittedParameter};
-    wavelength_nm: number[];
-    measured: number[];
-    modelled: number[];
+    spectrum?: {name: string};
+    spectra?: Explained[];
     configuration: {[key: string]: Json};
 }
 
@@ -114,7 +136,6 @@ export interface FitState {
 }
 
 export interface Exported {
-    csv: string;
-    json: Json;
+    simulations: {csv: string; json: Json}[];
     configuration: Json;
 }

@@ -1,12 +1,17 @@
 import {useEffect, useMemo, useState} from "preact/hooks";
 import {api} from "./api";
+import {explainedBy} from "./differences";
+import {modelLabels, modelOfShown, questionOf, type Drawn} from "./drawn";
 import type {Fit} from "./fits";
 import {Following} from "./following";
-import type {OpenFile} from "./measured";
+import {shownOf, type OpenFile} from "./measured";
+import {inWordsMeasurement} from "./measurement";
 import {Plot, type Curve} from "./plot";
-import {counted, inWords, shortened} from "./scale";
+import {residualsOf} from "./residuals";
+import {counted, inWords} from "./scale";
 import type {Model} from "./state";
-import type {Colour, Sensitivity, Simulation, Vocabulary} from "./types";
+import type {Colour, Json, Sensitivity, Vocabulary} from "./types";
+import {shortened} from "./words";
 
 const views = ["spectrum", "absorption", "sensitivity"] as const;
 type View = (typeof views)[number];
@@ -14,7 +19,7 @@ type View = (typeof views)[number];
 interface ViewsProps {
     vocabulary: Vocabulary;
     model: Model;
-    simulation: Simulation;
+    drawn: Drawn;
     files: OpenFile[];
     fits: Fit[];
     onDrawn: () => void;
@@ -65,34 +70,99 @@ function usePalette(): (name: string) => string {
 
 const percent = (value: number) => `${(100 * value).toFixed(1)} %`;
 
-function SpectrumView({simulation, files, fits, onDrawn}: ViewsProps) {
-    const colour = usePalette();
-    const model = colour("accent");
-    const curves = useMemo((): Curve[] => [
-        {label: "model", x: simulation.wavelength_nm, y: simulation.reading, colour: model, look: "line"},
-        ...files.flatMap((file, k) => file.measured.filter((_, i) => file.visible.has(i)).map((spectrum): Curve => ({
-            label: shortened(spectrum.name),
-            x: spectrum.wavelength_nm,
-            y: spectrum.value,
-            colour: colour(palette[k % palette.length]!),
-            look: "points",
-        }))),
-        ...fits.filter((fit) => fit.report?.modelled).map((fit, k): Curve => ({
-            label: `fit ${fit.number}`,
-            x: fit.report!.wavelength_nm,
-            y: fit.report!.modelled,
-            colour: colour(palette[(k + 3) % palette.length]!),
-            look: "dashed",
+type Palette = (name: string) => string;
+
+const hueOf = (k: number, colour: Palette) => colour(palette[k % palette.length]!);
+
+/// The fits with the number of the colour that each has in every plot.
+const fitCurves = (fits: Fit[], colour: Palette, take: (explained: ReturnType<typeof explainedBy>[number]) => number[]): Curve[] =>
+    fits.flatMap((fit, k) => (fit.report ? explainedBy(fit.report) : []).map((explained, _, {length}): Curve => ({
+        label: length === 1 ? `fit ${fit.number}` : `fit ${fit.number}, ${shortened(explained.name)}`,
+        x: explained.wavelength_nm,
+        y: take(explained),
+        colour: hueOf(k + 3, colour),
+        look: "dashed",
+    })));
+
+function curvesOf({drawn, files, fits}: ViewsProps, colour: Palette): Curve[] {
+    const labels = modelLabels(drawn.models);
+    return [
+        ...drawn.models.map((model, k): Curve => ({
+            label: labels[k]!, x: model.wavelength_nm, y: model.reading, colour: k === 0 ? colour("accent") : hueOf(k + 4, colour), look: "line",
         })),
-    ], [simulation, files, fits, model]);
-    const {wavelength_nm: nm, reading} = simulation;
-    const description = `${simulation.quantity} of the model from ${nm[0]} to ${nm.at(-1)} nm: ` +
-        `${percent(reading[0]!)} at the short end, ${percent(reading.at(-1)!)} at the long end, ` +
-        `with ${counted(curves.length - 1, "other curve")}`;
-    return <Plot curves={curves} yLabel={simulation.quantity} description={description} fromZero onDrawn={onDrawn} />;
+        ...shownOf(files).map(({file, spectrum}): Curve => ({
+            label: shortened(spectrum.name), x: spectrum.wavelength_nm, y: spectrum.value, colour: hueOf(files.indexOf(file), colour), look: "points",
+        })),
+        ...fitCurves(fits, colour, ({modelled}) => modelled),
+    ];
 }
 
-function AbsorptionView({simulation, onDrawn}: ViewsProps) {
+/// Of what is measured and shown: the noise of the first, between two edges, and the model and the fits minus it.
+function residualCurvesOf({drawn, files, fits}: ViewsProps, colour: Palette): Curve[] {
+    const shown = shownOf(files);
+    const models = shown.flatMap(({file, spectrum, statement}) => {
+        const model = modelOfShown(drawn, statement);
+        return model ? [{file, spectrum, model, ...residualsOf(model, spectrum)}] : [];
+    });
+    const first = models[0];
+    if (!first || first.x.length === 0) return [];
+    const sigma = first.indices.map((i) => (first.spectrum["sigma"] as number[] | undefined)?.[i] ?? Number(first.model.measurement["noise"]));
+    const edge = (sign: number, label: string): Curve =>
+        ({label, x: first.x, y: sigma.map((each) => sign * each), colour: colour("var-8"), look: "edge"});
+    return [
+        edge(1, "+1 sigma"),
+        edge(-1, "-1 sigma"),
+        ...models.map(({file, spectrum, x, y}): Curve => ({
+            label: `model − ${shortened(spectrum.name)}`, x, y, colour: models.length === 1 ? colour("accent") : hueOf(files.indexOf(file), colour), look: "line",
+        })),
+        ...fitCurves(fits, colour, ({residual}) => residual),
+    ];
+}
+
+/// For what the model is drawn, in words.
+function DrawnFor({drawn, names}: {drawn: Drawn; names: string[]}) {
+    const labels = modelLabels(drawn.models);
+    return (
+        <div class="drawn-for">
+            {drawn.models.map(({measurement, decided_by}, k) => {
+                const words = (by: string) => inWordsMeasurement(
+                    Object.fromEntries(names.filter((name) => decided_by[name] === by).map((name): [string, Json] => [name, measurement[name] ?? null])), names);
+                const parts = [["file", "as the file says"], ["stated", "as set here"], ["instrument", "of the instrument"], ["default", "by default"]]
+                    .map(([by, how]) => [words(by!), how]).filter(([found]) => found).map(([found, how]) => `${found} (${how})`);
+                return <p><strong>{labels[k]}</strong> drawn for {parts.join("; ")}</p>;
+            })}
+        </div>
+    );
+}
+
+function SpectrumView(props: ViewsProps) {
+    const {drawn, files, fits, vocabulary, onDrawn} = props;
+    const colour = usePalette();
+    const accent = colour("accent");
+    const curves = useMemo(() => curvesOf(props, colour), [drawn, files, fits, accent]);
+    const residuals = useMemo(() => residualCurvesOf(props, colour), [drawn, files, fits, accent]);
+    const {quantity, wavelength_nm: nm, reading} = drawn.models[0]!;
+    const description = `${quantity} of the model from ${nm[0]} to ${nm.at(-1)} nm: ` +
+        `${percent(reading[0]!)} at the short end, ${percent(reading.at(-1)!)} at the long end, ` +
+        `with ${counted(curves.length - 1, "other curve")}`;
+    const ends = curves.flatMap(({x}) => [x[0]!, x.at(-1)!]);
+    return (
+        <>
+            <Plot curves={curves} yLabel={quantity} description={description} fromZero onDrawn={onDrawn} />
+            {residuals.length > 0 && (
+                <Plot curves={residuals} yLabel="residual" isSmall xRange={[Math.min(...ends), Math.max(...ends)]}
+                    description={`Below it the residuals: ${residuals.slice(2).map(({label}) => label).join(", ")}`} />
+            )}
+            {residuals.length > 0 && (
+                <p class="hint">Residual: model minus measured; shaded: one sigma of the noise of {residuals[2]!.label.replace("model − ", "")}.</p>
+            )}
+            <DrawnFor drawn={drawn} names={vocabulary.measurement_settings} />
+        </>
+    );
+}
+
+function AbsorptionView({drawn, onDrawn}: ViewsProps) {
+    const simulation = drawn.models[0]!;
     const colour = usePalette();
     const names = Object.keys(simulation.shares).filter((name) => simulation.shares[name]!.some((share) => share > 1e-6));
     const hues = names.map((_, k) => colour(palette[k % palette.length]!));
@@ -113,11 +183,11 @@ function AbsorptionView({simulation, onDrawn}: ViewsProps) {
     );
 }
 
-function SensitivityView({model, vocabulary, onDrawn, onError}: ViewsProps) {
+function SensitivityView({model, files, vocabulary, onDrawn, onError}: ViewsProps) {
     const colour = usePalette();
     const [found, setFound] = useState<Sensitivity>();
     const following = useMemo(() => new Following(api.sensitivity, setFound, onError), []);
-    useEffect(() => following.want(model), [model]);
+    useEffect(() => following.want(questionOf(model, files)), [model, files]);
     const first = colour(palette[0]!);
     const curves = useMemo((): Curve[] => {
         if (!found) return [];
