@@ -54,6 +54,7 @@ void Interrupt::watch() {
         if (over_) return;
         if (signal == wake_signal) continue;
         if (!text_) end_at_once(signal);
+        if (signal_ && signal == SIGXCPU) continue;  // comes again every second; the end follows from the system
         if (signal_) end_at_once(signal);
         signal_ = signal;
         stop_.request_stop();

@@ -196,7 +196,10 @@ void write_output(const SharedOptions& options, const std::string& text) {
     try {
         write_file_atomically(options.out, text);
     } catch (const InputError&) {
-        write_report_to_stdout(text);
+        try {
+            write_report_to_stdout(text);
+        } catch (const InputError&) {  // what is wrong with --out is said
+        }
         throw;
     }
 }

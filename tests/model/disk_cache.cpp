@@ -6,7 +6,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <filesystem>
+#include <span>
 
 #include "core/file.hpp"
 #include "model/ensemble_cache.hpp"
