@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include "app/commands.hpp"
 #include "app/option_limits.hpp"
+#include "app/outputs.hpp"
 #include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "bench/output.hpp"
@@ -21,8 +24,13 @@ int run(const BenchCommand& command, Session& session) {
     if (!command.scaling.empty()) {
         SharedOptions probe;
         probe.out = command.scaling / "scaling_rays.svg";
-        check_output(probe);  // before the work
-        write_scaling(measure_scaling(tell), command.scaling);
+        check_picture(probe, "--scaling");
+        const std::vector<ScalingPlot> plots = measure_scaling(tell);
+        write_scaling_tables(plots, command.scaling);
+        for (const ScalingPlot& each : plots) {
+            const std::filesystem::path picture = command.scaling / fmt::format("scaling_{}.svg", each.name);
+            write_beside(session, picture, [&] { draw(each.plot, picture); });
+        }
         return trustworthy_result;
     }
     const BenchResult result = measure_ladder(command.sizes, tell);

@@ -6,6 +6,7 @@
 #include "app/fit_inputs.hpp"
 #include "app/measured_file.hpp"
 #include "app/option_limits.hpp"
+#include "app/outputs.hpp"
 #include "app/progress_line.hpp"
 #include "app/region_options.hpp"
 #include "app/separate_fits.hpp"
@@ -70,6 +71,7 @@ std::vector<std::filesystem::path> inputs(const FitCommand& command) {
 /// Refuses what cannot be written before the work rather than after it.
 void check_outputs(const FitCommand& command) {
     if (!command.plot.empty()) (void)gnuplot_terminal(command.plot, {.width = 1, .height = 1});  // the suffix
+    if (!command.plot.empty() || !command.report.empty()) require_gnuplot();
     const std::vector<std::pair<std::string, std::filesystem::path>> outputs = {{"--out", command.shared.out},
                                                                                 {"--report", command.report},
                                                                                 {"--plot", command.plot},
@@ -115,18 +117,25 @@ std::optional<FitResult> fitted(const FitCommand& command, const Configuration& 
     }
 }
 
-void write_files(const FitCommand& command, const FitResult& result, const Session& session) {
+/// What is written beside the result: draws first, then pages and pictures.
+void write_files(const FitCommand& command, const FitResult& result, Session& session) {
     if (!command.samples.empty() && !result.posterior && !session.quiet) {
         say_line(fmt::format("{}: not written; the posterior was not finished", command.samples.string()));
     }
     if (!command.samples.empty() && result.posterior) {
         std::vector<std::string> names;
         for (const FittedParameter& free : result.free) names.push_back(free.name);
-        write_file_atomically(command.samples, samples_csv(*result.posterior, names));
+        write_beside(session, command.samples,
+                     [&] { write_file_atomically(command.samples, samples_csv(*result.posterior, names)); });
     }
-    if (!command.plot.empty()) write_file_atomically(command.plot, fit_picture(result.spectra, command.plot));
     if (!command.report.empty()) {
-        write_file_atomically(command.report, html_report(result, {.command_line = session.command_line}));
+        write_beside(session, command.report, [&] {
+            write_file_atomically(command.report, html_report(result, {.command_line = session.command_line}));
+        });
+    }
+    if (!command.plot.empty()) {
+        write_beside(session, command.plot,
+                     [&] { write_file_atomically(command.plot, fit_picture(result.spectra, command.plot)); });
     }
 }
 
@@ -146,9 +155,9 @@ int run_joint(const FitCommand& command, const std::vector<FitInput>& inputs, Se
     const auto limit = thread_limit(command.shared);
     const std::optional<FitResult> result = fitted(command, configuration, spectra, findings, session);
     if (!result) return session.interrupt.exit_code();
-    write_files(command, *result, session);
-    write_output(command.shared,
-                 command.shared.format == "json" ? json_text(json_report(*result)) : text_report(*result));
+    write_result(command.shared,
+                 command.shared.format == "json" ? json_text(json_report(*result)) : text_report(*result),
+                 [&] { write_files(command, *result, session); });
     if (session.interrupt.signal()) return session.interrupt.exit_code();
     return result->verdict == Verdict::trustworthy ? trustworthy_result : result_with_warning;
 }

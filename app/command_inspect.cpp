@@ -1,11 +1,11 @@
 #include "app/commands.hpp"
 #include "app/measured_file.hpp"
 #include "app/option_limits.hpp"
+#include "app/outputs.hpp"
 #include "app/progress_line.hpp"
 #include "app/region_options.hpp"
 #include "app/shared_options.hpp"
 #include "fit/configuration_json.hpp"
-#include "fit/gnuplot.hpp"
 #include "fit/inspection.hpp"
 #include "fit/spectra_plot.hpp"
 
@@ -31,13 +31,12 @@ ReadOptions read_options(const InspectCommand& command) {
 }
 
 void check_plot(const InspectCommand& command) {
-    if (command.plot.empty()) return;
-    (void)gnuplot_terminal(command.plot, {.width = 1, .height = 1});  // refuses an unknown suffix before the work
     SharedOptions plot = command.output;
     plot.out = command.plot;
     std::vector<std::filesystem::path> others = files_read(command.file, command.region);
     others.push_back(command.output.out);
-    check_output(plot, others);
+    check_picture(plot, "--plot", others);
+    refuse_same_output({"--out", command.output.out}, {"--plot", command.plot});
 }
 
 int run(const InspectCommand& command, Session& session) {
@@ -49,11 +48,13 @@ int run(const InspectCommand& command, Session& session) {
     const Inspection inspection =
         inspected(MeasuredFiles(command.reader, session.quiet).spectra(command.file, options));
     line.reset();
-    if (!command.plot.empty()) {
-        draw_spectra(inspection.file.spectra, std::filesystem::path(command.file).filename().string(), command.plot);
-    }
-    write_output(command.output, command.output.format == "json" ? json_text(inspection_json(inspection))
-                                                                 : inspection_text(inspection));
+    write_result(
+        command.output,
+        command.output.format == "json" ? json_text(inspection_json(inspection)) : inspection_text(inspection), [&] {
+            if (command.plot.empty()) return;
+            const std::string title = std::filesystem::path(command.file).filename().string();
+            write_beside(session, command.plot, [&] { draw_spectra(inspection.file.spectra, title, command.plot); });
+        });
     if (command.strict) refuse_warnings(inspection.findings, inspection.file.source);
     return trustworthy_result;
 }

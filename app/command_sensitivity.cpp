@@ -1,5 +1,6 @@
 #include "app/commands.hpp"
 #include "app/option_limits.hpp"
+#include "app/outputs.hpp"
 #include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "fit/configuration_json.hpp"
@@ -32,14 +33,22 @@ Configuration sensitivity_configuration(const SensitivityCommand& command) {
 int run(const SensitivityCommand& command, Session& session) {
     const Configuration configuration = sensitivity_configuration(command);
     check_output(command.shared);
+    SharedOptions picture = command.shared;
+    picture.out = command.plot;
+    check_picture(picture, "--plot");
+    refuse_same_output({"--out", command.shared.out}, {"--plot", command.plot});
     const auto limit = thread_limit(command.shared);
     ProgressLine line(session, "computing derivatives");
     const Sensitivity result = sensitivity(configuration);
     line.end();
     const Derivative derivative = command.relative ? Derivative::relative : Derivative::per_unit;
-    if (!command.plot.empty()) draw(sensitivity_plot(result), command.plot);
-    write_output(command.shared, command.shared.format == "json" ? json_text(sensitivity_json(result, derivative))
-                                                                 : sensitivity_csv(result, derivative));
+    write_result(command.shared,
+                 command.shared.format == "json" ? json_text(sensitivity_json(result, derivative))
+                                                 : sensitivity_csv(result, derivative),
+                 [&] {
+                     if (command.plot.empty()) return;
+                     write_beside(session, command.plot, [&] { draw(sensitivity_plot(result), command.plot); });
+                 });
     return trustworthy_result;
 }
 

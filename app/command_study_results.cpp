@@ -5,11 +5,14 @@
 
 #include "app/commands.hpp"
 #include "app/option_limits.hpp"
+#include "app/outputs.hpp"
 #include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "app/study_options.hpp"
+#include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "core/text.hpp"
+#include "fit/gnuplot.hpp"
 #include "study/study_csv.hpp"
 #include "study/study_power.hpp"
 #include "study/study_report.hpp"
@@ -57,8 +60,9 @@ int report_it(const StudyResultCommand& command, Session& session) {
     SharedOptions output;
     output.out = command.out.empty() ? study.output / "report.html" : command.out;
     check_output(output, {command.shared.study, ledger.path()});
+    require_gnuplot();
     ProgressLine line(session, "drawing the report");
-    write_output(output, study_page(study, results_of(study, ledger)));
+    write_file_atomically(output.out, study_page(study, results_of(study, ledger)));
     line.end();
     line.tell(fmt::format("wrote {}", output.out.string()));
     return trustworthy_result;
@@ -86,16 +90,20 @@ int power_it(const StudyResultCommand& command, Session& session) {
                                  .power = command.power,
                                  .repeats = command.repeats};
     const Ledger ledger(ledger_of(command.shared, study), Ledger::Access::read);
+    SharedOptions picture;
+    picture.out = command.plot;
+    check_picture(picture, "--plot", {command.shared.study, ledger.path()});
     ProgressLine line(session, "computing");
     const PowerAnswer answer = power_answer(study, answered(study, ledger.rows()), question);
-    if (!command.plot.empty()) {
+    line.end();
+    write_stdout(command.shared.format == "json" ? json_text(power_json(answer)) : power_text(answer));
+    if (command.plot.empty()) return trustworthy_result;
+    write_beside(session, command.plot, [&] {
         draw(power_figure({{.name = fmt::format("{} per subject", command.repeats), .design = answer.design}},
                           command.power, std::max<std::size_t>(3, std::ranges::max(question.subjects)),
                           {.name = command.quantity, .unit = unit_of(command.quantity)}),
              command.plot);
-    }
-    line.end();
-    write_stdout(command.shared.format == "json" ? json_text(power_json(answer)) : power_text(answer));
+    });
     return trustworthy_result;
 }
 

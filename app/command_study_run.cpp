@@ -102,7 +102,7 @@ int finished(const StudyRunCommand& command, const Study& study, const StudyRun&
         write_stdout(status_text(counts));
         write_stdout(fmt::format("ledger: {}\n", ledger.path().string()));
     }
-    return exit_code_of(counts);
+    return std::max<int>(exit_code_of(counts), run.undrawn_maps > 0 ? result_with_warning : trustworthy_result);
 }
 
 /// One file that is missing is a failure among others; where all are, the folder is the wrong one.

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/commands.hpp"
+#include "app/outputs.hpp"
 #include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "app/terminal.hpp"
@@ -11,6 +12,7 @@
 #include "core/input_error.hpp"
 #include "core/text.hpp"
 #include "fit/configuration_json.hpp"
+#include "fit/gnuplot.hpp"
 #include "validation/figure_output.hpp"
 #include "validation/shipped.hpp"
 
@@ -57,18 +59,20 @@ FigureOptions options_of(const ValidateCommand& command) {
     return options;
 }
 
-void write_figure(const FigureResult& result, const std::filesystem::path& folder) {
+void write_figure(const FigureResult& result, const std::filesystem::path& folder, Session& session) {
     const std::string name = fmt::format("figure_{}", result.figure.number);
     write_file_atomically(folder / (name + ".csv"), figure_csv(result));
     const PlotSheet sheet = figure_sheet(result);
-    draw(sheet, folder / (name + ".svg"));
-    draw(sheet, folder / (name + ".png"));
+    for (const char* ending : {".svg", ".png"}) {
+        write_beside(session, folder / (name + ending), [&] { draw(sheet, folder / (name + ending)); });
+    }
 }
 
 int run(const ValidateCommand& command, Session& session) {
     const std::vector<Figure> figures = chosen_figures(command.figures);
     const FigureOptions options = options_of(command);
     make_output_folder(command.output);
+    require_gnuplot();
     SharedOptions shared;
     shared.threads = command.threads;
     const auto limit = thread_limit(shared);
@@ -80,7 +84,7 @@ int run(const ValidateCommand& command, Session& session) {
         line.show({.what = figure.title, .done = results.size(), .total = figures.size()});
         results.push_back(run_figure(figure, options));
         for (const std::string& message : results.back().messages) line.tell("note: " + message);
-        write_figure(results.back(), command.output);
+        write_figure(results.back(), command.output, session);
     }
     line.end();
     if (results.size() < figures.size()) {

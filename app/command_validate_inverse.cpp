@@ -2,6 +2,7 @@
 
 #include "app/commands.hpp"
 #include "app/option_limits.hpp"
+#include "app/outputs.hpp"
 #include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "app/terminal.hpp"
@@ -9,6 +10,7 @@
 #include "core/input_error.hpp"
 #include "core/text.hpp"
 #include "fit/configuration_json.hpp"
+#include "fit/gnuplot.hpp"
 #include "validation/inverse_run.hpp"
 #include "validation/inverse_summary.hpp"
 
@@ -56,6 +58,7 @@ int run(const ValidateInverseCommand& command, Session& session) {
     design.spectra = command.spectra;
     design.intervals = chosen_intervals(command.intervals);
     make_output_folder(command.output);
+    require_gnuplot();
     const auto limit = thread_limit(command.shared);
     ProgressLine line(session, "preparing the model");
     const RecoveryWatch watch{.stop = session.stop_on_interrupt("interrupted; the spectra at hand are finished first"),
@@ -75,15 +78,16 @@ int run(const ValidateInverseCommand& command, Session& session) {
     }
     const RecoverySummary summary = summarised(study.spectra, study.free);
     write_file_atomically(command.output / "recovery.csv", recovery_csv(study.spectra, study.free));
-    const PlotSheet sheet = recovery_sheet(study.spectra, summary);
-    draw(sheet, command.output / "recovery.svg");
-    draw(sheet, command.output / "recovery.png");
     Json json = recovery_json(summary);
     json["simulated_by"] = command.simulate_by;
     json["configuration"] = to_json(configuration);
     const std::string text = json_text(json);
     write_file_atomically(command.output / "summary.json", text);
     command.shared.format == "json" ? write_stdout(text) : write_report_to_stdout(recovery_text(summary));
+    const PlotSheet sheet = recovery_sheet(study.spectra, summary);
+    for (const char* name : {"recovery.svg", "recovery.png"}) {
+        write_beside(session, command.output / name, [&] { draw(sheet, command.output / name); });
+    }
     if (study.spectra.size() < design.spectra) {
         line.tell(fmt::format("of {} spectra asked for only these {}", design.spectra, study.spectra.size()));
         return session.interrupt.exit_code();

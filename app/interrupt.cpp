@@ -6,6 +6,7 @@
 #include <condition_variable>
 
 #include "app/terminal.hpp"
+#include "core/unfinished.hpp"
 
 namespace skinfit {
 namespace {
@@ -22,7 +23,7 @@ bool is_ignored(int signal) {
 
 [[noreturn]] void end_at_once(int signal) {
     say_line("interrupted; what was not written yet is lost");
-    ::_exit(first_code_of_signals + signal);
+    end_process(first_code_of_signals + signal);
 }
 
 }  // namespace
@@ -30,7 +31,7 @@ bool is_ignored(int signal) {
 Interrupt::Interrupt() {
     sigemptyset(&signals_);
     sigaddset(&signals_, wake_signal);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) {
         if (!is_ignored(signal)) sigaddset(&signals_, signal);
     }
     pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
@@ -53,9 +54,11 @@ void Interrupt::watch() {
         if (over_) return;
         if (signal == wake_signal) continue;
         if (!text_) end_at_once(signal);
+        if (signal_ && signal == SIGXCPU) continue;  // comes again every second; the end follows from the system
         if (signal_) end_at_once(signal);
         signal_ = signal;
         stop_.request_stop();
+        kill_children();
         if (!text_->empty()) say_line(*text_);
     }
 }

@@ -9,8 +9,9 @@
 
 namespace skinfit {
 
-/// What Ctrl-C and its like do (SIGINT, SIGTERM, SIGHUP; those that the caller ignores stay ignored). A command ends at
-/// once, unless it has asked to be told.
+/// What Ctrl-C and its like do (SIGINT, SIGTERM, SIGHUP and SIGXCPU, the end of a limit on processor time; those that
+/// the caller ignores stay ignored). A command ends at once and leaves no half-written file, unless it has asked to be
+/// told.
 class Interrupt {
 public:
     /// Keeps the signals from this thread and from all that start later, and waits for them in a thread of its own.
@@ -19,8 +20,8 @@ public:
     Interrupt& operator=(const Interrupt&) = delete;
     ~Interrupt();
 
-    /// From now on the first signal prints `text`, if any, and requests a stop of the token; the second ends the
-    /// program at once.
+    /// From now on the first signal prints `text`, if any, requests a stop of the token and kills the programs that
+    /// this one runs (gnuplot); the second ends the program at once.
     [[nodiscard]] std::stop_token graceful(const std::string& text);
 
     /// Waits for a stop of the token of `graceful`.

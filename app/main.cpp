@@ -2,11 +2,14 @@
 #include <fmt/format.h>
 #include <glog/logging.h>
 
+#include <algorithm>
+#include <csignal>
 #include <exception>
 #include <memory>
 #include <optional>
 
 #include "app/command_line_error.hpp"
+#include "app/large_stack.hpp"
 #include "app/program.hpp"
 #include "app/shared_options.hpp"
 #include "app/terminal.hpp"
@@ -39,11 +42,8 @@ void silence_libraries() {
     FLAGS_minloglevel = google::GLOG_FATAL;
 }
 
-int run(int argc, char** argv) {
-    open_standard_streams();
-    silence_libraries();
+int run(int argc, char** argv, Interrupt& interrupt) {
     refuse_empty_arguments(argc, argv);
-    Interrupt interrupt;
     Session session{.command_line = shell_words({argv, argv + argc}), .interrupt = interrupt};
     const std::unique_ptr<CLI::App> app = make_program(session);
     try {
@@ -56,21 +56,39 @@ int run(int argc, char** argv) {
         if (!help) throw InputError(command_line_complaint(*app, error));
         write_stdout(*help);
     }
-    return session.exit_code;
+    return std::max<int>(session.exit_code, session.lacks_a_file ? result_with_warning : trustworthy_result);
+}
+
+/// The same, with what is wrong said.
+int run_to_its_end(int argc, char** argv, Interrupt& interrupt) {
+    try {
+        return run(argc, argv, interrupt);
+    } catch (const InputError& error) {
+        say_trouble("error", error.what());
+        return bad_input;
+    } catch (const std::exception& error) {
+        say_trouble("internal error",
+                    fmt::format("{}; please report it with the command that led to it", error.what()));
+        return internal_error;
+    }
 }
 
 }  // namespace
 }  // namespace skinfit
 
 int main(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit of the shell (ulimit -f) is an error of writing it
+    skinfit::open_standard_streams();
+    skinfit::silence_libraries();
+    int exit_code = skinfit::internal_error;
     try {
-        return skinfit::run(argc, argv);
-    } catch (const skinfit::InputError& error) {
-        skinfit::say_trouble("error", error.what());
-        return skinfit::bad_input;
+        skinfit::Interrupt interrupt;  // its signals are kept from all threads that start later
+        skinfit::on_a_large_stack([&] { exit_code = skinfit::run_to_its_end(argc, argv, interrupt); });
     } catch (const std::exception& error) {
-        skinfit::say_trouble("internal error",
-                             fmt::format("{}; please report it with the command that led to it", error.what()));
-        return skinfit::internal_error;
+        skinfit::say_trouble(
+            "error", fmt::format("no thread can be started ({}); allow more memory or processes (ulimit -v, ulimit -u)",
+                                 error.what()));
+        return skinfit::bad_input;
     }
+    return exit_code;
 }

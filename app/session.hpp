@@ -15,6 +15,8 @@ struct Session {
     Interrupt& interrupt;
     bool quiet = false;  ///< --quiet: nothing on stderr but errors
     int exit_code = trustworthy_result;
+    bool lacks_a_file = false;      ///< one that was asked for could not be made: the program ends with 1 at least
+    bool leaves_out_files = false;  ///< Ctrl-C ended the making of one: the next are not begun
 
     /// As `Interrupt::graceful`, without a word with --quiet.
     [[nodiscard]] std::stop_token stop_on_interrupt(const std::string& text) {

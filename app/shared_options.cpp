@@ -138,9 +138,11 @@ void add_examples(CLI::App& command, const std::vector<std::string>& examples, c
 }
 
 DiskCache cache_from(const SharedOptions& options, ProgressLine& line) {
-    return {.folder = options.no_cache ? std::nullopt : default_cache_folder(),
-            .warn = [&line](const std::string& text) { line.warn(text); },
-            .inform = [&line](const std::string& text) { line.show({.what = text}); }};
+    DiskCache cache{.folder = options.no_cache ? std::nullopt : default_cache_folder(),
+                    .warn = [&line](const std::string& text) { line.warn(text); },
+                    .inform = [&line](const std::string& text) { line.show({.what = text}); }};
+    if (cache.folder) tidy(cache);
+    return cache;
 }
 
 void make_output_folder(const std::filesystem::path& folder) {
@@ -188,8 +190,16 @@ void write_report_to_stdout(const std::string& text) {
 void write_output(const SharedOptions& options, const std::string& text) {
     if (options.out.empty()) {
         write_report_to_stdout(text);
-    } else {
+        return;
+    }
+    try {
         write_file_atomically(options.out, text);
+    } catch (const InputError&) {
+        try {
+            write_report_to_stdout(text);
+        } catch (const InputError&) {  // what is wrong with --out is said
+        }
+        throw;
     }
 }
 
@@ -219,17 +229,13 @@ void check_output(const SharedOptions& options, const std::vector<std::filesyste
     std::error_code error;
     for (const std::filesystem::path& input : inputs) refuse_replacing(option, options.out, input);
     refuse_replacing(option, options.out, options.config);
-    const std::filesystem::file_status status = std::filesystem::status(options.out, error);
-    const bool is_folder = std::filesystem::is_directory(status);
-    // A file is replaced, which takes a writable folder; a pipe or device is written to.
-    const bool is_stream = std::filesystem::exists(status) && !is_folder && !std::filesystem::is_regular_file(status);
-    const std::filesystem::path folder = std::filesystem::absolute(options.out, error).parent_path();
-    const std::string written = is_stream ? options.out.string() : folder.string();
-    if (!is_folder && ::access(written.c_str(), W_OK) == 0) return;
-    throw InputError({.where = options.out.string(),
-                      .problem = "cannot be written",
-                      .why = is_folder ? "it is a folder" : std::strerror(errno),
-                      .remedy = "name a file in a folder that exists and is writable"});
+    if (std::filesystem::is_directory(options.out, error)) {
+        throw InputError({.where = options.out.string(),
+                          .problem = "cannot be written",
+                          .why = "it is a folder",
+                          .remedy = "name a file in it"});
+    }
+    check_writable(options.out);
 }
 
 }  // namespace skinfit

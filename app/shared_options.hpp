@@ -80,7 +80,7 @@ inline constexpr const char* exit_codes = "Exit code 0: done; 2: bad input; 3: i
 /// Ends the help of `command` with these command lines, and `remark`, which says the exit codes.
 void add_examples(CLI::App& command, const std::vector<std::string>& examples, const std::string& remark = exit_codes);
 
-/// The cache for recorded walks as the options ask for; its messages go to `line`.
+/// The cache for recorded walks as the options ask for, tidied; its messages go to `line`.
 [[nodiscard]] DiskCache cache_from(const SharedOptions& options, ProgressLine& line);
 
 /// Makes the folder of --output where there is none. Throws InputError where that is no folder that can be written.
@@ -102,7 +102,7 @@ void write_stdout(const std::string& text);
 void write_report_to_stdout(const std::string& text);
 
 /// Writes `text` to --out, or to stdout, in colours where they are shown. Throws InputError where that cannot be done;
-/// then nothing is half-written.
+/// then nothing is half-written, and what was for --out is on stdout.
 void write_output(const SharedOptions& options, const std::string& text);
 
 /// Throws InputError when --out cannot be written, or is one of the files that are read (`inputs` and --config): before

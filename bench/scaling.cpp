@@ -171,9 +171,8 @@ std::vector<ScalingPlot> measure_scaling(const BenchListener& tell) {
     return plots;
 }
 
-void write_scaling(const std::vector<ScalingPlot>& plots, const std::filesystem::path& folder) {
+void write_scaling_tables(const std::vector<ScalingPlot>& plots, const std::filesystem::path& folder) {
     for (const ScalingPlot& each : plots) {
-        draw(each.plot, folder / fmt::format("scaling_{}.svg", each.name));
         write_file_atomically(folder / fmt::format("scaling_{}.csv", each.name), csv_of(each.plot));
     }
 }

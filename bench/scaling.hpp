@@ -19,7 +19,7 @@ struct ScalingPlot {
 /// `bench_work`; both axes are decimal logarithms, but for free parameters. Takes about a minute.
 [[nodiscard]] std::vector<ScalingPlot> measure_scaling(const BenchListener& tell);
 
-/// Writes each plot as `scaling_<name>.svg` and `.csv` into `folder`. Throws InputError where that cannot be done.
-void write_scaling(const std::vector<ScalingPlot>& plots, const std::filesystem::path& folder);
+/// Writes the lines of each plot as `scaling_<name>.csv` into `folder`. Throws InputError where that cannot be done.
+void write_scaling_tables(const std::vector<ScalingPlot>& plots, const std::filesystem::path& folder);
 
 }  // namespace skinfit

@@ -7,20 +7,13 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <utility>
 
+#include "core/file_replacement.hpp"
 #include "core/input_error.hpp"
 #include "core/stop.hpp"
 
 namespace skinfit {
 namespace {
-
-[[noreturn]] void refuse_to_write(const std::filesystem::path& path, int error) {
-    throw InputError({.where = path.string(),
-                      .problem = "cannot be written",
-                      .why = std::strerror(error),
-                      .remedy = "name a file in a folder that exists, is writable and has space; nothing was written"});
-}
 
 [[noreturn]] void refuse_to_read(const std::filesystem::path& path, int error) {
     throw InputError({.where = path.string(),
@@ -89,28 +82,17 @@ std::string read_all(int descriptor, const std::filesystem::path& path, std::siz
     return bytes;
 }
 
-/// Writes all bytes; returns 0 or the errno of what failed.
-int write_all(int descriptor, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) return errno;
-        bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return 0;
-}
-
 /// True for /dev/stdout, pipes and the like, which cannot be replaced by renaming. The first few are streams even where
-/// the shell has redirected them to a file: renaming would replace the name in /dev.
+/// the shell has redirected them to a file: renaming would replace the name in /dev. A link to a pipe is a link.
 bool is_stream(const std::filesystem::path& path) {
     const std::string name = path.lexically_normal().string();
     if (name == "/dev/stdout" || name == "/dev/stderr" || name.starts_with("/dev/fd/") || name.starts_with("/proc/")) {
         return true;
     }
     std::error_code ignored;
-    const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+    const std::filesystem::file_status status = std::filesystem::symlink_status(path, ignored);
     return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
-           !std::filesystem::is_directory(status);
+           !std::filesystem::is_directory(status) && !std::filesystem::is_symlink(status);
 }
 
 }  // namespace
@@ -126,38 +108,6 @@ std::string read_standard_input() {
     return read_all(STDIN_FILENO, "standard input", 0);
 }
 
-FileReplacement::FileReplacement(std::filesystem::path path) : path_(std::move(path)) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path_, ignored)) refuse_to_write(path_, EISDIR);
-    temporary_ = path_.string() + ".XXXXXX";
-    descriptor_ = ::mkstemp(temporary_.data());
-    if (descriptor_ < 0) refuse_to_write(path_, errno);
-    constexpr mode_t ordinary_file = 0666;
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    if (::fchmod(descriptor_, ordinary_file & ~mask) == 0) return;
-    const int failure = errno;
-    ::close(descriptor_);
-    ::unlink(temporary_.c_str());
-    refuse_to_write(path_, failure);
-}
-
-FileReplacement::~FileReplacement() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-    if (!temporary_.empty()) ::unlink(temporary_.c_str());
-}
-
-void FileReplacement::append(std::string_view bytes) {
-    if (const int failure = write_all(descriptor_, bytes)) refuse_to_write(path_, failure);
-}
-
-void FileReplacement::finish(bool durable) {
-    if (durable && ::fsync(descriptor_) != 0) refuse_to_write(path_, errno);
-    if (::close(std::exchange(descriptor_, -1)) != 0) refuse_to_write(path_, errno);
-    if (std::rename(temporary_.c_str(), path_.c_str()) != 0) refuse_to_write(path_, errno);
-    temporary_.clear();
-}
-
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes) {
     if (!is_stream(path)) {
         FileReplacement file(path);
@@ -165,17 +115,25 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view b
         file.finish();
         return;
     }
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_APPEND);
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
     if (descriptor < 0) refuse_to_write(path, errno);
     int failure = write_all(descriptor, bytes);
     if (::close(descriptor) != 0 && failure == 0) failure = errno;
     if (failure != 0) refuse_to_write(path, failure);
 }
 
+void check_writable(const std::filesystem::path& path) {
+    if (!is_stream(path)) return check_replaceable(path);
+    if (::access(path.c_str(), W_OK) != 0) refuse_to_write(path, errno);
+}
+
 void make_folder(const std::filesystem::path& path, const std::string& where) {
     std::error_code error;
     std::filesystem::create_directories(path, error);
-    if (!error && std::filesystem::is_directory(path, error) && ::access(path.c_str(), W_OK) == 0) return;
+    if (!error && std::filesystem::is_directory(path, error) && ::access(path.c_str(), W_OK) == 0) {
+        remove_leftovers(path);
+        return;
+    }
     throw InputError({.where = where,
                       .problem = "no folder that can be written",
                       .why = error ? error.message() : "it is a file or not ours to write",
@@ -185,7 +143,7 @@ void make_folder(const std::filesystem::path& path, const std::string& where) {
 void write_scratch_file_atomically(const std::filesystem::path& path, std::span<const std::string_view> parts,
                                    const std::stop_token& stop) {
     constexpr std::size_t chunk_bytes = std::size_t{1} << 24U;  // written within some hundredths of a second
-    FileReplacement file(path);
+    FileReplacement file(path, Readers::owner_only);
     for (const std::string_view part : parts) {
         for (std::size_t begin = 0; begin < part.size(); begin += chunk_bytes) {
             leave_if_cancelled(stop);

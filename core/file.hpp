@@ -19,40 +19,23 @@ inline constexpr std::size_t largest_file_bytes = std::size_t{1} << 31U;
 /// The bytes that come from standard input, up to its end. Throws InputError when it is closed or gives too many.
 [[nodiscard]] std::string read_standard_input();
 
-/// Replaces the file at `path` by `bytes` in one step: it holds all of the old or all of the new, never a part.
-/// Throws InputError when the folder is missing, read-only or full; then nothing has changed.
+/// Replaces the file at `path` by `bytes` in one step: it holds all of the old or all of the new, never a part, and
+/// keeps its permissions. Pipes, devices and /dev/stdout are written to. Throws InputError as FileReplacement; then
+/// nothing has changed.
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
 
-/// The same for bytes in several parts and without waiting for the disk: for files that can be made again and that
-/// carry a checksum. Throws Cancelled where `stop` is requested meanwhile; then nothing has changed either.
+/// Throws InputError where `write_file_atomically` could not write now, without writing: for a check before long work.
+void check_writable(const std::filesystem::path& path);
+
+/// As `write_file_atomically`, for bytes in several parts and without waiting for the disk: for files that can be made
+/// again, carry a checksum and are of use to their owner alone. Throws Cancelled where `stop` is requested meanwhile;
+/// then nothing has changed either.
 void write_scratch_file_atomically(const std::filesystem::path& path, std::span<const std::string_view> parts,
                                    const std::stop_token& stop = {});
 
-/// Makes the folder at `path`, and those above it, where there is none. Throws InputError, naming `where`, where it is
+/// Makes the folder at `path`, and those above it, where there is none; removes what killed processes have left half
+/// written in it. Throws InputError, naming `where`, where it is
 /// then no folder that can be written.
 void make_folder(const std::filesystem::path& path, const std::string& where);
-
-/// A file that is written in parts and then, in one step, takes the place of the one at its path. Until it does, or if
-/// it never does, the old one is untouched.
-class FileReplacement {
-public:
-    /// Throws InputError when the folder is missing or read-only, or `path` is a folder.
-    explicit FileReplacement(std::filesystem::path path);
-    FileReplacement(const FileReplacement&) = delete;
-    FileReplacement& operator=(const FileReplacement&) = delete;
-    /// Removes what was written where `finish` has not been called.
-    ~FileReplacement();
-
-    /// Throws InputError when the disk is full.
-    void append(std::string_view bytes);
-
-    /// Puts the file in its place, once; `durable` waits until the disk has it. Throws InputError when that fails.
-    void finish(bool durable = true);
-
-private:
-    std::filesystem::path path_;
-    std::string temporary_;  ///< its name; empty once it is in its place
-    int descriptor_ = -1;
-};
 
 }  // namespace skinfit

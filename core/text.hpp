@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -37,6 +38,12 @@ private:
 
 /// The fields of `text` between the characters `separator`, trimmed; n separators give n + 1 fields.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
+
+/// Lines and fields are views of the text: in `for (... : split_lines(read_file(path)))` it would be gone before them.
+template <std::same_as<std::string> Text>
+std::vector<std::string_view> split_lines(Text&& temporary) = delete;
+template <std::same_as<std::string> Text>
+std::vector<std::string_view> split(Text&& temporary, char separator) = delete;
 
 /// The whole of `text` as a number in C notation with an optional leading plus, or nothing when it is not one.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);

@@ -8,7 +8,9 @@
 #include <array>
 #include <cassert>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <string_view>
@@ -16,6 +18,7 @@
 #include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "core/text.hpp"
+#include "core/unfinished.hpp"
 
 namespace skinfit {
 namespace {
@@ -37,13 +40,16 @@ Stream scratch_file() {
 }
 
 std::string content_of(const Stream& stream) {
+    constexpr std::size_t block = std::size_t{1} << 16U;
     std::rewind(stream.get());
     std::string bytes;
-    std::array<char, 1 << 16> buffer{};
-    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), stream.get())) {
-        bytes.append(buffer.data(), count);
+    for (std::size_t filled = 0;;) {
+        bytes.resize(filled + block);
+        filled += std::fread(bytes.data() + filled, 1, block, stream.get());
+        if (filled == bytes.size()) continue;
+        bytes.resize(filled);
+        return bytes;
     }
-    return bytes;
 }
 
 [[noreturn]] void refuse_without_gnuplot(int error) {
@@ -51,6 +57,47 @@ std::string content_of(const Stream& stream) {
                       .problem = "gnuplot cannot be run",
                       .why = std::strerror(error),
                       .remedy = "install it (Debian: apt-get install gnuplot-nox), or do without the plot"});
+}
+
+constexpr std::array<char, 8> program_name{"gnuplot"};
+
+struct Streams {
+    Stream in;
+    Stream out;
+    Stream err;
+};
+
+/// Runs gnuplot with these streams, in a process group of its own, and gives its number.
+pid_t started_gnuplot(const Streams& streams) {
+    posix_spawn_file_actions_t actions;
+    ::posix_spawn_file_actions_init(&actions);
+    ::posix_spawn_file_actions_adddup2(&actions, ::fileno(streams.in.get()), STDIN_FILENO);
+    ::posix_spawn_file_actions_adddup2(&actions, ::fileno(streams.out.get()), STDOUT_FILENO);
+    ::posix_spawn_file_actions_adddup2(&actions, ::fileno(streams.err.get()), STDERR_FILENO);
+    // Signals that this program waits for by itself, or ignores, are for gnuplot as usual.
+    ::sigset_t none{};
+    ::sigset_t all{};
+    ::sigemptyset(&none);
+    ::sigfillset(&all);
+    ::posix_spawnattr_t attributes;
+    ::posix_spawnattr_init(&attributes);
+    ::posix_spawnattr_setsigmask(&attributes, &none);
+    ::posix_spawnattr_setsigdefault(&attributes, &all);
+    ::posix_spawnattr_setpgroup(&attributes, 0);
+    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+    std::array<char, 8> name = program_name;
+    std::array<char, 3> no_personal_settings{"-d"};
+    const std::array<char*, 3> arguments = {name.data(), no_personal_settings.data(), nullptr};
+    int failure = 0;
+    const pid_t child = begin_child([&] {
+        pid_t started = 0;
+        failure = ::posix_spawnp(&started, name.data(), &actions, &attributes, arguments.data(), environ);
+        return failure == 0 ? started : 0;
+    });
+    ::posix_spawnattr_destroy(&attributes);
+    ::posix_spawn_file_actions_destroy(&actions);
+    if (failure != 0) refuse_without_gnuplot(failure);
+    return child;
 }
 
 }  // namespace
@@ -99,46 +146,35 @@ std::string gnuplot_table(std::string_view name, const std::vector<std::vector<d
     return block + "END\n";
 }
 
-// Files carry the three streams, so that none of them can stall.
-std::string gnuplot_picture(const std::string& script) {
-    const Stream in = scratch_file();
-    const Stream out = scratch_file();
-    const Stream err = scratch_file();
-    const bool is_stored = std::fwrite(script.data(), 1, script.size(), in.get()) == script.size();
-    if (!is_stored || std::fflush(in.get()) != 0) refuse_without_scratch(errno);
-    std::rewind(in.get());
-    posix_spawn_file_actions_t actions;
-    ::posix_spawn_file_actions_init(&actions);
-    ::posix_spawn_file_actions_adddup2(&actions, ::fileno(in.get()), STDIN_FILENO);
-    ::posix_spawn_file_actions_adddup2(&actions, ::fileno(out.get()), STDOUT_FILENO);
-    ::posix_spawn_file_actions_adddup2(&actions, ::fileno(err.get()), STDERR_FILENO);
-    // What this program waits for by itself, such as Ctrl-C, must reach gnuplot.
-    ::sigset_t no_signals{};
-    ::sigemptyset(&no_signals);
-    ::posix_spawnattr_t attributes;
-    ::posix_spawnattr_init(&attributes);
-    ::posix_spawnattr_setsigmask(&attributes, &no_signals);
-    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
-    std::array<char, 8> name{"gnuplot"};
-    std::array<char, 3> no_personal_settings{"-d"};
-    const std::array<char*, 3> arguments = {name.data(), no_personal_settings.data(), nullptr};
-    ::pid_t child = 0;
-    const int failure = ::posix_spawnp(&child, name.data(), &actions, &attributes, arguments.data(), environ);
-    ::posix_spawnattr_destroy(&attributes);
-    ::posix_spawn_file_actions_destroy(&actions);
-    if (failure != 0) refuse_without_gnuplot(failure);
-    int status = 0;
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+void require_gnuplot() {
+    const char* const path = std::getenv("PATH");
+    int problem = ENOENT;
+    for (const std::string_view folder : split(path == nullptr ? "/bin:/usr/bin" : path, ':')) {
+        const std::filesystem::path program = std::filesystem::path(folder) / program_name.data();
+        if (::access(program.c_str(), X_OK) == 0) return;
+        if (errno == EACCES) problem = EACCES;
     }
-    std::string bytes = content_of(out);
+    refuse_without_gnuplot(problem);
+}
+
+std::string gnuplot_picture(const std::string& script) {
+    // Files carry the three streams, so that none of them can stall.
+    const Streams streams{.in = scratch_file(), .out = scratch_file(), .err = scratch_file()};
+    const bool is_stored = std::fwrite(script.data(), 1, script.size(), streams.in.get()) == script.size();
+    if (!is_stored || std::fflush(streams.in.get()) != 0) refuse_without_scratch(errno);
+    std::rewind(streams.in.get());
+    const int status = wait_for_child(started_gnuplot(streams));
+    std::string bytes = content_of(streams.out);
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && !bytes.empty()) return bytes;
-    std::string complaint;
-    for (const std::string_view line : split_lines(content_of(err))) {
-        if (!trimmed(line).empty()) complaint = trimmed(line);
+    const std::string complaints = content_of(streams.err);
+    std::string why =
+        WIFSIGNALED(status) ? fmt::format("it was ended by signal {}", WTERMSIG(status)) : "it gave no reason";
+    for (const std::string_view line : split_lines(complaints)) {
+        if (!trimmed(line).empty()) why = trimmed(line);
     }
     throw InputError({.where = "plot",
                       .problem = "gnuplot failed",
-                      .why = complaint.empty() ? "it gave no reason" : complaint,
+                      .why = why,
                       .remedy = "check that gnuplot draws this kind of file (Debian: gnuplot-nox)"});
 }
 

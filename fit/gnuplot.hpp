@@ -29,7 +29,11 @@ struct PictureSize {
 /// The same with as many columns as each of `rows` has, of which there is at least one.
 [[nodiscard]] std::string gnuplot_table(std::string_view name, const std::vector<std::vector<double>>& rows);
 
-/// The picture that gnuplot makes of `script`. Throws InputError when gnuplot is missing or fails.
+/// Throws InputError where no gnuplot is found: for a check before long work.
+void require_gnuplot();
+
+/// The picture that gnuplot makes of `script`. Throws InputError when gnuplot is missing, fails, or is ended by
+/// `kill_children`.
 [[nodiscard]] std::string gnuplot_picture(const std::string& script);
 
 }  // namespace skinfit

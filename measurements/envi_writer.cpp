@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/file.hpp"
 #include "core/input_error.hpp"
 
 namespace skinfit {

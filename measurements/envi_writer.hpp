@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/file.hpp"
+#include "core/file_replacement.hpp"
 
 namespace skinfit {
 

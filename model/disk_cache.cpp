@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/file_replacement.hpp"
+
 namespace skinfit {
 namespace {
 
@@ -19,29 +21,36 @@ bool is_of_the_cache(const std::filesystem::path& path) {
                                [&](std::string_view kind) { return path.extension() == fmt::format(".{}", kind); });
 }
 
-/// Removes the longest unused files until `limit_bytes` holds the rest.
-void make_room(const std::filesystem::path& folder, std::uint64_t limit_bytes) {
+/// Whether the file is being written by a process, or was by one that was killed; release 0.1.0 added six letters to
+/// the name of the file to come.
+bool is_half_written(const std::filesystem::path& path) {
+    return is_partial(path) || (path.extension().string().size() == 7 && is_of_the_cache(path.stem()));
+}
+
+}  // namespace
+
+void tidy(const DiskCache& cache) {
     struct File {
         std::filesystem::path path;
         std::filesystem::file_time_type used;
         std::uint64_t bytes;
     };
     std::vector<File> files;
+    std::uint64_t kept = 0;
     std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-        if (!is_of_the_cache(entry.path())) continue;
+    for (const auto& entry : std::filesystem::directory_iterator(*cache.folder, error)) {
+        if (!std::filesystem::is_regular_file(entry.symlink_status(error))) continue;
         const File file{entry.path(), entry.last_write_time(error), entry.file_size(error)};
-        if (!error) files.push_back(file);
+        if (error) continue;
+        if (is_of_the_cache(file.path)) files.push_back(file);
+        if (is_half_written(file.path) && !remove_leftover(file.path)) kept += file.bytes;
     }
     std::ranges::sort(files, std::ranges::greater{}, &File::used);
-    std::uint64_t kept = 0;
     for (const File& file : files) {
         kept += file.bytes;
-        if (kept > limit_bytes) std::filesystem::remove(file.path, error);
+        if (kept > cache.limit_bytes) std::filesystem::remove(file.path, error);
     }
 }
-
-}  // namespace
 
 std::optional<std::filesystem::path> default_cache_folder() {
     const auto variable = [](const char* name) -> std::optional<std::filesystem::path> {
@@ -70,7 +79,7 @@ void keep(const DiskCache& cache, const std::function<void()>& write) {
         std::error_code error;
         std::filesystem::create_directories(*cache.folder, error);
         write();
-        make_room(*cache.folder, cache.limit_bytes);
+        tidy(cache);
     } catch (const InputError& problem) {
         cache.warn(fmt::format("nothing is kept for the next run: {}", problem.what()));
     }

@@ -34,12 +34,17 @@ struct DiskCache {
 /// Marks a file of the cache as used now.
 void mark_used(const std::filesystem::path& file);
 
-/// Makes the folder of `cache`, calls `write`, and removes the longest unused files beyond the limit. A folder that
+/// Removes from the folder of `cache` what killed processes have left half written, and the longest unused files until
+/// the limit holds the rest and what others are writing.
+void tidy(const DiskCache& cache);
+
+/// Makes the folder of `cache`, calls `write`, and tidies it. A folder that
 /// cannot be written is reported and does no harm.
 void keep(const DiskCache& cache, const std::function<void()>& write);
 
 /// What `read` gives for the file of `key`, or what `make` makes, which is then kept by `write`. A file that is
-/// damaged, truncated or foreign is reported to `cache.warn` and replaced.
+/// damaged, truncated, foreign or another user's is reported to `cache.warn` and replaced; a link, or what is no
+/// ordinary file, stays.
 template <class Value>
 Value cached(const DiskCache& cache, const std::string& key, std::string_view kind, const std::function<Value()>& make,
              const std::function<std::variant<Value, Unusable>(const std::filesystem::path&, std::string_view)>& read,
@@ -53,7 +58,7 @@ Value cached(const DiskCache& cache, const std::string& key, std::string_view ki
             return std::move(*value);
         }
         cache.warn(file.string() + ": what the cache holds is " + std::get<Unusable>(stored).reason +
-                   "; it is made again and replaced");
+                   "; it is made again");
     }
     Value value = make();
     keep(cache, [&] { write(file, key, value); });

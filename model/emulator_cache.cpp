@@ -62,7 +62,13 @@ std::variant<Emulator, Unusable> read_emulator_file(const std::filesystem::path&
     if (const auto* const unusable = std::get_if<Unusable>(&stored)) return *unusable;
     const auto& [bytes, owner] = std::get<StoredData>(stored);
     EmulatorHeader header{};
+    if (bytes.size() < sizeof header) return Unusable{"too short"};
     std::memcpy(&header, bytes.data(), sizeof header);
+    if (!add_up(bytes.size() - sizeof header, {{header.groups, sizeof(Emulator::Group)},
+                                               {header.coefficients, sizeof(float)},
+                                               {header.counts, sizeof(std::uint8_t)}})) {
+        return Unusable{"not as long as it says"};
+    }
     std::vector<Emulator::Group> groups(header.groups);
     const char* const first_group = bytes.data() + sizeof header;
     std::memcpy(groups.data(), first_group, groups.size() * sizeof groups[0]);

@@ -38,7 +38,12 @@ std::variant<PathEnsemble, Unusable> read_ensemble_file(const std::filesystem::p
     if (const auto* const unusable = std::get_if<Unusable>(&stored)) return *unusable;
     const auto& [bytes, owner] = std::get<StoredData>(stored);
     EnsembleHeader header{};
+    if (bytes.size() < sizeof header) return Unusable{"too short"};
     std::memcpy(&header, bytes.data(), sizeof header);
+    if (!add_up(bytes.size() - sizeof header,
+                {{header.wavelengths, sizeof(PathEnsemble::Segments)}, {header.floats, sizeof(float)}})) {
+        return Unusable{"not as long as it says"};
+    }
     const char* const first_segment = bytes.data() + sizeof header;
     std::vector<PathEnsemble::Segments> segments(header.wavelengths);
     std::memcpy(segments.data(), first_segment, segments.size() * sizeof segments[0]);

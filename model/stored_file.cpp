@@ -8,9 +8,10 @@
 
 #include <array>
 #include <cassert>
+#include <cerrno>
 #include <cstdint>
 #include <cstring>
-#include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/file.hpp"
@@ -44,24 +45,42 @@ struct MappedFile {
     std::size_t size;
 };
 
-std::optional<MappedFile> map_file(const std::filesystem::path& path) {
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) return std::nullopt;
+/// Why a file is not read, by what it is; empty where it is.
+std::string objection_to(int descriptor, struct stat& status) {
+    if (descriptor < 0 && errno == ELOOP) return "a link, which is not followed";
+    if (descriptor < 0 || ::fstat(descriptor, &status) != 0) return "unreadable";
+    if (!S_ISREG(status.st_mode)) return "no ordinary file";
+    if (status.st_uid != ::geteuid()) return "of another user";
+    if ((status.st_mode & (S_IWGRP | S_IWOTH)) != 0) return "open to changes by other users";
+    return status.st_size > 0 ? "" : "empty";
+}
+
+std::variant<MappedFile, Unusable> map_file(const std::filesystem::path& path) {
+    // Without O_NONBLOCK, opening a pipe waits for whoever writes into it.
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     struct stat status {};
-    std::optional<MappedFile> mapped;
-    if (::fstat(descriptor, &status) == 0 && status.st_size > 0) {
-        const auto size = static_cast<std::size_t>(status.st_size);
-        void* const address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, descriptor, 0);
-        if (address != MAP_FAILED) {
-            const auto unmap = [address, size](const char* /*data*/) { ::munmap(address, size); };
-            mapped = MappedFile{{static_cast<const char*>(address), unmap}, size};
-        }
+    std::string objection = objection_to(descriptor, status);
+    void* address = MAP_FAILED;
+    const auto size = static_cast<std::size_t>(status.st_size);
+    if (objection.empty()) {
+        address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, descriptor, 0);
+        if (address == MAP_FAILED) objection = "unreadable";
     }
-    ::close(descriptor);
-    return mapped;
+    if (descriptor >= 0) ::close(descriptor);
+    if (!objection.empty()) return Unusable{std::move(objection)};
+    const auto unmap = [address, size](const char* /*data*/) { ::munmap(address, size); };
+    return MappedFile{{static_cast<const char*>(address), unmap}, size};
 }
 
 }  // namespace
+
+bool add_up(std::size_t bytes, std::initializer_list<StoredParts> parts) {
+    for (const StoredParts& part : parts) {
+        if (part.count > bytes / part.bytes) return false;
+        bytes -= part.count * part.bytes;
+    }
+    return bytes == 0;
+}
 
 void write_stored_file(const std::filesystem::path& path, std::string_view format, std::string_view key,
                        std::span<const std::string_view> parts, const std::stop_token& stop) {
@@ -78,9 +97,10 @@ void write_stored_file(const std::filesystem::path& path, std::string_view forma
 
 std::variant<StoredData, Unusable> read_stored_file(const std::filesystem::path& path, std::string_view format,
                                                     std::string_view key) {
-    const std::optional<MappedFile> file = map_file(path);
-    if (!file) return Unusable{"empty or unreadable"};
-    const std::string_view bytes(file->data.get(), file->size);
+    const std::variant<MappedFile, Unusable> mapped = map_file(path);
+    if (const auto* const unusable = std::get_if<Unusable>(&mapped)) return *unusable;
+    const auto& file = std::get<MappedFile>(mapped);
+    const std::string_view bytes(file.data.get(), file.size);
     FileHeader header{};
     if (bytes.size() < sizeof header + sizeof(std::uint64_t)) return Unusable{"truncated"};
     std::memcpy(&header, bytes.data(), sizeof header);
@@ -94,7 +114,7 @@ std::variant<StoredData, Unusable> read_stored_file(const std::filesystem::path&
     // From here on the file is what was written.
     const std::string key_field = padded(key);
     if (body.substr(sizeof header, header.key_bytes) != key_field) return Unusable{"made for other settings"};
-    return StoredData{.bytes = body.substr(sizeof header + key_field.size()), .owner = file->data};
+    return StoredData{.bytes = body.substr(sizeof header + key_field.size()), .owner = file.data};
 }
 
 }  // namespace skinfit

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <stop_token>
@@ -31,10 +33,19 @@ struct StoredData {
     std::shared_ptr<const void> owner;
 };
 
-/// The data stored under `key` in the file at `path`, or why it cannot be used: foreign, truncated, damaged or of
-/// another key. `path` must exist.
+/// The data stored under `key` in the file at `path`, or why it cannot be used: a link or no ordinary file, another
+/// user's or open to changes by others, foreign, truncated, damaged or of another key. `path` must exist.
 [[nodiscard]] std::variant<StoredData, Unusable> read_stored_file(const std::filesystem::path& path,
                                                                   std::string_view format, std::string_view key);
+
+/// So many values of so many bytes each.
+struct StoredParts {
+    std::uint64_t count;
+    std::size_t bytes;
+};
+
+/// Whether `parts` fill `bytes` exactly.
+[[nodiscard]] bool add_up(std::size_t bytes, std::initializer_list<StoredParts> parts);
 
 /// Plain values as bytes.
 template <class Value>

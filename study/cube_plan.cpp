@@ -64,7 +64,8 @@ CubeEntry planned(const StudyCube& cube) {
     return entry;
 }
 
-void write_map(const Ledger& ledger, const Study& study, const StudyCube& cube, const DiskCache& cache) {
+std::optional<std::string> write_map(const Ledger& ledger, const Study& study, const StudyCube& cube,
+                                     const DiskCache& cache) {
     const SpectralCube opened(cube.path, cube.unit);
     const PixelFitter fitter(configuration_of(study), common_spectrum(opened), cache);
     const std::filesystem::path folder = study.output / "maps";
@@ -73,9 +74,14 @@ void write_map(const Ledger& ledger, const Study& study, const StudyCube& cube, 
     EnviWriter writer(map, map_output(fitter.problem(), opened, configuration_hash_of(study)));
     for_each_tile(ledger, cube.source, [&](const FittedTile& tile) { writer.append(tile.bytes); });
     writer.finish();
-    (void)draw_map(map, folder);
+    try {
+        (void)draw_map(map, folder);
+    } catch (const InputError& error) {
+        return error.what();
+    }
     const std::filesystem::path from = std::filesystem::absolute(ledger.path()).parent_path();
     finish_cube(ledger, cube.source, std::filesystem::absolute(map).lexically_relative(from).string());
+    return std::nullopt;
 }
 
 }  // namespace skinfit

@@ -14,8 +14,10 @@ namespace skinfit {
 /// The file of the map of a cube, in the study's folder of maps: its source, in which folders become underscores.
 [[nodiscard]] std::string map_name(const std::string& source);
 
-/// Writes the map of a cube whose tiles are all done into `folder`, with its pictures, and notes that in the ledger.
-/// Throws InputError when they cannot be written.
-void write_map(const Ledger& ledger, const Study& study, const StudyCube& cube, const DiskCache& cache);
+/// Writes the map of a cube whose tiles are all done into the study's folder of maps, with its pictures, and notes that
+/// in the ledger; what keeps the pictures from being drawn is returned, and the ledger then does not know the map yet.
+/// Throws InputError when the map cannot be written.
+[[nodiscard]] std::optional<std::string> write_map(const Ledger& ledger, const Study& study, const StudyCube& cube,
+                                                   const DiskCache& cache);
 
 }  // namespace skinfit

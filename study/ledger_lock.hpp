@@ -8,7 +8,8 @@ namespace skinfit {
 /// when the process ends, however it ends.
 class LedgerLock {
 public:
-    /// Throws InputError where another process holds it, or the file cannot be made.
+    /// Throws InputError where another process holds it, or the file cannot be made or is something else than a lock: a
+    /// link, or another program's.
     explicit LedgerLock(const std::filesystem::path& ledger);
     LedgerLock(const LedgerLock&) = delete;
     LedgerLock& operator=(const LedgerLock&) = delete;

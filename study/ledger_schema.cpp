@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include "core/file_replacement.hpp"
 #include "core/input_error.hpp"
 #include "study/sqlite_errors.hpp"
 
@@ -143,6 +144,7 @@ auto opened(const std::filesystem::path& path, const Work& work) {
 }  // namespace
 
 std::unique_ptr<SQLite::Database> open_ledger_to_write(const std::filesystem::path& path) {
+    refuse_link(path);
     return opened(path, [&] {
         auto database = std::make_unique<SQLite::Database>(path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
                                                            patience_ms);

@@ -35,18 +35,33 @@ std::string literal(const fs::path& folder) {
     return pattern;
 }
 
-/// The files that a pattern names, sorted; a name without wildcards, or that of a file, is itself, whether there is
-/// such a file or not.
+/// A pattern that is also the name of a file, which as a pattern does not match itself: `a[1].csv`.
+[[noreturn]] void refuse_ambiguous(const fs::path& whole, const fs::path& matched, const std::string& where) {
+    throw InputError(
+        {.where = where,
+         .problem = fmt::format("{} is a file, and as a pattern names {}", whole.string(), matched.string()),
+         .why = "either may be meant",
+         .remedy = "for the file write a backslash before each of *, ? and [ (in JSON two: \\\\[), or rename it"});
+}
+
+/// The files that a pattern names, sorted. A name without wildcards is itself, whether there is such a file or not, and
+/// so is that of a file that as a pattern names nothing.
 std::vector<fs::path> matches(const std::string& pattern, const fs::path& folder, const std::string& where) {
     const fs::path whole = folder / pattern;
     std::error_code none;
-    if (pattern.find_first_of("*?[") == std::string::npos || fs::exists(whole, none)) return {whole};
+    if (pattern.find_first_of("*?[") == std::string::npos) return {whole};
     glob_t found{};
     const int status = ::glob((fs::path(literal(folder)) / pattern).c_str(), GLOB_ERR, nullptr, &found);
     std::vector<fs::path> paths;
     if (status == 0) paths.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
     ::globfree(&found);
     std::erase_if(paths, [&](const fs::path& path) { return fs::is_directory(path, none); });
+    const bool is_file = fs::exists(whole, none) && !fs::is_directory(whole, none);
+    if (is_file && !paths.empty() &&
+        std::ranges::none_of(paths, [&](const fs::path& path) { return fs::equivalent(path, whole, none); })) {
+        refuse_ambiguous(whole, paths.front(), where);
+    }
+    if (is_file && paths.empty()) return {whole};
     if (!paths.empty()) return paths;
     throw InputError({.where = where,
                       .problem = fmt::format("no file matches {}", whole.string()),

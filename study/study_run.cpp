@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "core/file.hpp"
 #include "core/hash.hpp"
 #include "core/input_error.hpp"
 #include "core/version.hpp"
 #include "fit/configuration_json.hpp"
+#include "fit/gnuplot.hpp"
 #include "fit/named_instrument.hpp"
 #include "study/cube_plan.hpp"
 #include "study/ledger_lock.hpp"
@@ -147,14 +149,28 @@ void check_settings(const Study& study) {
     (void)make_problem(configuration, ramp);
 }
 
-/// Writes the maps of all cubes whose tiles are all done.
-void write_maps(const Study& study, const Ledger& ledger, const StudyRunOptions& options) {
+/// Writes the maps of all cubes whose tiles are all done. Those whose pictures cannot be drawn are `undrawn` from then
+/// on; the next run tries again.
+void write_maps(const Study& study, const Ledger& ledger, const StudyRunOptions& options,
+                std::set<std::string>& undrawn) {
     for (const CubeRow& row : cube_rows(ledger)) {
         if (row.tiles == 0 || row.tiles_done < row.tiles || !row.map.empty() || !row.reason.empty()) continue;
+        if (undrawn.contains(row.source)) continue;
+        if (!undrawn.empty() && options.stop()) return;  // which ended a picture too
         const auto cube = std::ranges::find(study.cubes, row.source, &StudyCube::source);
         options.tell(fmt::format("writing the map of {}", row.source));
-        write_map(ledger, study, *cube, options.cache);
+        const std::optional<std::string> problem = write_map(ledger, study, *cube, options.cache);
+        if (!problem) continue;
+        undrawn.insert(row.source);
+        options.tell(fmt::format(
+            "warning: the map of {} is written, its pictures are not ({}); run the study again to draw them",
+            row.source, *problem));
     }
+}
+
+/// What a run needs beside its inputs: whole maps are drawn.
+void check_tools(const Study& study, const StudyRunOptions& options) {
+    if (!study.cubes.empty() && !options.part) require_gnuplot();
 }
 
 void make_folder_of(const std::filesystem::path& ledger) {
@@ -199,6 +215,7 @@ std::string configuration_hash_of(const Study& study) {
 
 StudyRun run_study(const Study& study, const StudyRunOptions& options) {
     check_settings(study);
+    check_tools(study, options);
     make_folder_of(options.ledger);
     const LedgerLock lock(options.ledger);
     Ledger ledger(options.ledger, Ledger::Access::write);
@@ -213,8 +230,9 @@ StudyRun run_study(const Study& study, const StudyRunOptions& options) {
     run.progress = to_do(tasks, plan.cubes);
     options.progress(run.progress);
     std::vector<std::size_t> waiting = tiles_of_cubes(tasks, study.cubes.size());
+    std::set<std::string> undrawn;
     const auto finish_maps = [&] {
-        if (!options.part) write_maps(study, ledger, options);
+        if (!options.part) write_maps(study, ledger, options, undrawn);
     };
     {
         WorkerThreads threads(options.jobs, study_worker(study, options.cache));
@@ -234,11 +252,13 @@ StudyRun run_study(const Study& study, const StudyRunOptions& options) {
         run.stopped = done < tasks.size();
     }
     finish_maps();
+    run.undrawn_maps = undrawn.size();
     return run;
 }
 
 StudyRun merge_study(const Study& study, const std::vector<std::filesystem::path>& parts,
                      const StudyRunOptions& options) {
+    check_tools(study, options);
     make_folder_of(options.ledger);
     const LedgerLock lock(options.ledger);
     Ledger ledger(options.ledger, Ledger::Access::write);
@@ -252,7 +272,9 @@ StudyRun merge_study(const Study& study, const std::vector<std::filesystem::path
         options.tell(fmt::format("{}: {} spectra and {} tiles", path.string(), taken.spectra, taken.tiles));
         run.progress.spectra += taken.spectra;
     }
-    write_maps(study, ledger, options);
+    std::set<std::string> undrawn;
+    write_maps(study, ledger, options, undrawn);
+    run.undrawn_maps = undrawn.size();
     return run;
 }
 

@@ -46,6 +46,7 @@ struct StudyRun {
     RosterChange change;
     std::size_t left_out = 0;  ///< spectra whose names the study's patterns do not know
     StudyProgress progress;
+    std::size_t undrawn_maps = 0;  ///< maps that are written, but their pictures not drawn
     bool stopped = false;
 };
 

@@ -1,5 +1,6 @@
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <thread>
 
 #include "measurements/spectral_cube.hpp"
@@ -84,6 +85,27 @@ TEST_F(StudyCubes, AMapThatIsLostIsMadeAgain) {
     std::filesystem::remove(folder() / "whole" / "maps" / "arm_map.dat");
     EXPECT_LE(run({"study", "run", "whole.json"}).exit_code, 1);
     EXPECT_TRUE(map_bytes("whole") == map);
+}
+
+TEST_F(StudyCubes, AFailingGnuplotCostsThePicturesAlone) {
+    put_study("whole", R"([{"cube": "arm.hdr"}])");
+    put_study("undrawn", R"([{"cube": "arm.hdr"}])");
+    EXPECT_LE(run({"study", "run", "whole.json"}).exit_code, 1);
+    const std::string path = std::getenv("PATH");
+    ::setenv("PATH", "/nowhere", 1);
+    expect_refusal({"study", "run", "undrawn.json"}, "gnuplot cannot be run");
+    put("gnuplot", "#!/bin/sh\nexit 1\n");
+    std::filesystem::permissions(folder() / "gnuplot", std::filesystem::perms{0700});
+    ::setenv("PATH", folder().c_str(), 1);
+    const Outcome undrawn = run({"study", "run", "undrawn.json"});
+    ::setenv("PATH", path.c_str(), 1);
+    EXPECT_EQ(undrawn.exit_code, 1);
+    EXPECT_NE(undrawn.err.find("the map of arm.hdr is written, its pictures are not (plot: gnuplot failed"),
+              std::string::npos)
+        << undrawn.err;
+    EXPECT_TRUE(map_bytes("undrawn") == map_bytes("whole"));
+    EXPECT_LE(run({"study", "run", "undrawn.json"}).exit_code, 1);
+    EXPECT_TRUE(std::filesystem::exists(folder() / "undrawn" / "maps" / "arm_map_status.png"));
 }
 
 TEST_F(StudyCubes, ACubeThatCannotBeReadStopsNothing) {

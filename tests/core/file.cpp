@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "core/file_replacement.hpp"
 #include "core/input_error.hpp"
 #include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -6,6 +6,7 @@
 #include "measurements/quality_checks.hpp"
 #include "model/parameters.hpp"
 #include "tests/study/example_ledger.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace skinfit {
@@ -98,6 +99,16 @@ TEST_F(StudyFiles, PatternsNameFilesInOrder) {
     EXPECT_EQ(sources("[\"c[1].csv\"]"), Names{"c[1].csv"}) << "the name of a file is itself";
     EXPECT_EQ(sources("[\"later.csv\"]"), Names{"later.csv"}) << "what is missing is a result of the run";
     EXPECT_EQ(sources("[\"./x/../a.csv\"]"), Names{"a.csv"});
+}
+
+TEST_F(StudyFiles, AFileCalledLikeAPatternHidesNoOther) {
+    write_file_atomically(in_folder("*.csv"), "x");
+    EXPECT_EQ(sources("[\"*.csv\"]"), (Names{"*.csv", "a.csv", "b.csv", "c[1].csv"}));
+    EXPECT_EQ(sources(R"(["\\*.csv"])"), Names{"*.csv"});
+    write_file_atomically(in_folder("c1.csv"), "x");
+    const std::string complaint = test::refusal_of([&] { (void)sources("[\"c[1].csv\"]"); });
+    EXPECT_NE(complaint.find("c[1].csv is a file, and as a pattern names "), std::string::npos) << complaint;
+    EXPECT_EQ(sources(R"(["c\\[1].csv"])"), Names{"c[1].csv"});
 }
 
 TEST_F(StudyFiles, AFolderMayBearTheMarksOfPatterns) {
