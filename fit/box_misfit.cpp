@@ -131,31 +131,47 @@ BoxPoint point_at(const BoxMisfit& misfit, const VectorXd& position) {
 BoxMisfit in_unit_box(const Objective& objective) {
     return [&objective](const VectorXd& position) {
         const std::vector<FreeParameter>& free = objective.problem().free;
-        Misfit misfit = objective.misfit(values_at(objective.problem(), position));
+        const std::vector<double> values = values_at(objective.problem(), position);
+        Misfit misfit = objective.misfit(values);
         for (Index column = 0; column < position.size(); ++column) {
-            const Bounds& bounds = free[static_cast<std::size_t>(column)].bounds;
-            misfit.jacobian.col(column) *= bounds.upper - bounds.lower;
+            const auto i = static_cast<std::size_t>(column);
+            const Bounds bounds = natural_bounds(free[i]);
+            const double by_position = (bounds.upper - bounds.lower) / coordinate_slope(free[i].prior, values[i]);
+            misfit.jacobian.col(column) *= by_position;
+            if (misfit.log_volume_slope.size() > 0) misfit.log_volume_slope[column] *= by_position;
         }
         return misfit;
     };
 }
 
+Bounds natural_bounds(const FreeParameter& free) {
+    return {natural_coordinate(free.prior, free.bounds.lower), natural_coordinate(free.prior, free.bounds.upper)};
+}
+
 VectorXd box_position(const FitProblem& problem, std::span<const double> values) {
     VectorXd position(static_cast<Index>(values.size()));
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const Bounds& bounds = problem.free[i].bounds;
-        position[static_cast<Index>(i)] = (values[i] - bounds.lower) / (bounds.upper - bounds.lower);
+        const FreeParameter& free = problem.free[i];
+        const Bounds bounds = natural_bounds(free);
+        position[static_cast<Index>(i)] =
+            (natural_coordinate(free.prior, values[i]) - bounds.lower) / (bounds.upper - bounds.lower);
     }
     return position;
+}
+
+double value_at_position(const FreeParameter& free, double position) {
+    // Exactly the bound at 0 and 1, whatever the rounding.
+    if (position == 0.0) return free.bounds.lower;
+    if (position == 1.0) return free.bounds.upper;
+    const Bounds bounds = natural_bounds(free);
+    const double value = value_at_coordinate(free.prior, bounds.lower + position * (bounds.upper - bounds.lower));
+    return std::clamp(value, free.bounds.lower, free.bounds.upper);
 }
 
 std::vector<double> values_at(const FitProblem& problem, const VectorXd& position) {
     std::vector<double> values;
     for (std::size_t i = 0; i < problem.free.size(); ++i) {
-        const Bounds& bounds = problem.free[i].bounds;
-        const double share = position[static_cast<Index>(i)];
-        // Exactly the bound at 0 and 1, whatever the rounding.
-        values.push_back(share == 1.0 ? bounds.upper : bounds.lower + share * (bounds.upper - bounds.lower));
+        values.push_back(value_at_position(problem.free[i], position[static_cast<Index>(i)]));
     }
     return values;
 }

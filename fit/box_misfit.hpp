@@ -6,7 +6,8 @@
 
 #include "fit/objective.hpp"
 
-/// Sums of squares over the unit box: each position is where a free parameter lies between its bounds, 0 to 1.
+/// Sums of squares over the unit box: each position is where a free parameter lies between its bounds, 0 to 1, in its
+/// natural coordinate. So exp(-cost / 2) over the box is the posterior's density where `Misfit::log_volume` is 0.
 namespace skinfit {
 
 /// The misfit at a position in the unit box, derivatives by position.
@@ -14,6 +15,12 @@ using BoxMisfit = std::function<Misfit(const Eigen::VectorXd& position)>;
 
 /// `objective` over the positions of its free parameters; it must outlive the result.
 [[nodiscard]] BoxMisfit in_unit_box(const Objective& objective);
+
+/// The bounds of a free parameter in its natural coordinate.
+[[nodiscard]] Bounds natural_bounds(const FreeParameter& free);
+
+/// The value of one parameter at its position.
+[[nodiscard]] double value_at_position(const FreeParameter& free, double position);
 
 /// Values of the free parameters as positions, and back.
 [[nodiscard]] Eigen::VectorXd box_position(const FitProblem& problem, std::span<const double> values);

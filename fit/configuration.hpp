@@ -53,7 +53,7 @@ struct Bounds {
     double upper;
 };
 
-/// What is known of a quantity beside the spectrum: its density, with respect to the quantity itself.
+/// What is known of a quantity beside the spectrum: its distribution.
 struct NormalPrior {
     double mean;
     double sigma;  ///< above 0

@@ -158,7 +158,10 @@ Design design(const Configuration& configuration, const DesignRequest& request) 
     const Index column = column_of(problem, request.parameter);
     check_request(request, jacobian, column);
     VectorXd prior(jacobian.cols());
-    for (Index i = 0; i < prior.size(); ++i) prior[i] = prior_sigma(problem.free[static_cast<std::size_t>(i)]);
+    for (Index i = 0; i < prior.size(); ++i) {
+        const FreeParameter& free = problem.free[static_cast<std::size_t>(i)];
+        prior[i] = prior_step(free, free.start);
+    }
     std::vector<Index> all(static_cast<std::size_t>(jacobian.rows()));
     std::iota(all.begin(), all.end(), Index{0});
     result.others_free = limit_of(variance_of(jacobian, prior, all, column));

@@ -43,7 +43,7 @@ struct Design {
 /// 2.486: quantiles of the normal distribution at 95 % and 80 %, added.
 [[nodiscard]] double detection_factor();
 
-/// The variance of parameter `column` when all others are free, each known beforehand to its `prior_sigma` (the one in
+/// The variance of parameter `column` when all others are free, each known beforehand to its `prior_step` (the one in
 /// question counts as unknown), from readings whose derivatives are `rows` of `jacobian` over their noise.
 [[nodiscard]] double variance_of(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& prior_sigma,
                                  const std::vector<Eigen::Index>& rows, Eigen::Index column);

@@ -101,7 +101,8 @@ std::vector<FittedParameter> free_rows(const FitProblem& problem, const Minimum&
                         .value = minimum.values[i],
                         .start = free.start,
                         .bounds = free.bounds,
-                        .uncertainty = uncertainty.parameters[i]});
+                        .uncertainty = uncertainty.parameters[i],
+                        .prior = free.prior});
     }
     return rows;
 }

@@ -6,7 +6,11 @@
 #include <Eigen/Cholesky>
 #include <Eigen/SVD>
 #include <algorithm>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
+#include <numbers>
+
+#include "fit/box_misfit.hpp"
 
 namespace skinfit {
 namespace {
@@ -15,20 +19,59 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// The standard deviation of a standard normal variable within `range`, which need not hold its middle.
+double normal_deviation_within(const Bounds& range) {
+    const auto moment = [&range](int power) {
+        const double nearest = std::clamp(0.0, range.lower, range.upper);  // where the density is largest
+        const auto weighted = [&](double z) {
+            return std::pow(z - nearest, power) * std::exp(0.5 * (nearest - z) * (nearest + z));
+        };
+        double sum = 0.0;
+        constexpr double far = 40.0;  // beyond it the density is less than the least number
+        for (const Bounds& side : {Bounds{std::max(range.lower, nearest - far), nearest},
+                                   Bounds{nearest, std::min(range.upper, nearest + far)}}) {
+            if (side.lower == side.upper) continue;
+            sum += boost::math::quadrature::gauss_kronrod<double, 31>::integrate(weighted, side.lower, side.upper);
+        }
+        return sum;
+    };
+    const double mass = moment(0);
+    const double mean = moment(1) / mass;
+    return std::sqrt(moment(2) / mass - mean * mean);
+}
+
 }  // namespace
 
 double prior_sigma(const FreeParameter& free) {
-    if (free.prior) return standard_deviation(*free.prior, free.bounds);
-    return (free.bounds.upper - free.bounds.lower) / std::sqrt(12.0);
+    const Bounds bounds = natural_bounds(free);
+    if (free.prior) return normal_deviation_within(bounds);
+    return (bounds.upper - bounds.lower) / std::sqrt(12.0);
 }
 
-Identifiability identifiability(const MatrixXd& jacobian, const std::vector<FreeParameter>& free) {
+double prior_step(const FreeParameter& free, double value) {
+    return prior_sigma(free) / coordinate_slope(free.prior, value);
+}
+
+bool is_decided_by_prior(const FreeParameter& free, const Bounds& interval_95) {
+    constexpr double tail = 0.025;
+    if (!free.prior) return false;
+    const auto width = [&free](double lower, double upper) {
+        return natural_coordinate(free.prior, upper) - natural_coordinate(free.prior, lower);
+    };
+    const double without_spectrum =
+        width(quantile_within(*free.prior, free.bounds, tail), quantile_within(*free.prior, free.bounds, 1.0 - tail));
+    return width(interval_95.lower, interval_95.upper) >= without_spectrum / std::numbers::sqrt2;
+}
+
+Identifiability identifiability(const MatrixXd& jacobian, const std::vector<FreeParameter>& free,
+                                std::span<const double> values) {
     const auto size = static_cast<Index>(free.size());
     Identifiability result;
     MatrixXd scaled = jacobian;
     for (Index column = 0; column < size; ++column) {
-        const FreeParameter& parameter = free[static_cast<std::size_t>(column)];
-        scaled.col(column) *= prior_sigma(parameter);
+        const auto i = static_cast<std::size_t>(column);
+        const FreeParameter& parameter = free[i];
+        scaled.col(column) *= prior_step(parameter, values[i]);
         result.names.push_back(name_of(parameter));
     }
     const Eigen::JacobiSVD<MatrixXd> svd(scaled, Eigen::ComputeFullV);
@@ -46,7 +89,7 @@ Identifiability identifiability(const MatrixXd& jacobian, const std::vector<Free
 Identifiability identifiability(const Objective& objective, std::span<const double> values) {
     const FitProblem& problem = objective.problem();
     const auto readings = static_cast<Index>(objective.reading_count());
-    return identifiability(objective.misfit(values).jacobian.topRows(readings), problem.free);
+    return identifiability(objective.misfit(values).jacobian.topRows(readings), problem.free, values);
 }
 
 std::string in_words(const Direction& direction, const std::vector<std::string>& names) {

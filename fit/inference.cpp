@@ -10,23 +10,23 @@ namespace {
 
 using Eigen::Index;
 
-double value_at(const Bounds& bounds, double position) {
-    return position == 1.0 ? bounds.upper : bounds.lower + position * (bounds.upper - bounds.lower);
-}
-
 bool is_at_bound(Status status) {
     return status == Status::at_lower_bound || status == Status::at_upper_bound;
 }
 
 /// `linear` with another interval, identifiable or not as that says.
-ParameterUncertainty with_interval(ParameterUncertainty linear, const Bounds& interval, bool is_identifiable) {
-    linear.interval_95 = interval;
+ParameterUncertainty with_interval(ParameterUncertainty linear, const FreeParameter& free, const Bounds& interval,
+                                   bool is_identifiable) {
+    const bool decided_by_prior = is_decided_by_prior(free, interval);
     if (!is_identifiable) {
         return {.status = Status::not_identifiable,
                 .sigma = std::nullopt,
                 .monte_carlo_sigma = std::nullopt,
-                .interval_95 = interval};
+                .interval_95 = interval,
+                .decided_by_prior = decided_by_prior};
     }
+    linear.interval_95 = interval;
+    linear.decided_by_prior = decided_by_prior;
     if (!is_at_bound(linear.status)) linear.status = Status::free;
     return linear;
 }
@@ -36,16 +36,18 @@ Profile in_values(Profile profile, const FitProblem& problem) {
     const std::vector<double> minimum = values_at(problem, profile.minimum);
     profile.minimum = Eigen::VectorXd::Map(minimum.data(), static_cast<Index>(minimum.size()));
     for (std::size_t i = 0; i < problem.free.size(); ++i) {
-        const Bounds& bounds = problem.free[i].bounds;
-        const double width = bounds.upper - bounds.lower;
+        const FreeParameter& free = problem.free[i];
+        const Bounds bounds = natural_bounds(free);
         ProfileInterval& interval = profile.intervals[i];
-        interval.lower = value_at(bounds, interval.lower);
-        interval.upper = value_at(bounds, interval.upper);
+        interval.lower = value_at_position(free, interval.lower);
+        interval.upper = value_at_position(free, interval.upper);
         for (ProfilePoint& point : interval.curve) {
-            point = {.at = value_at(bounds, point.at),
-                     .cost_rise = point.cost_rise,
-                     .cost_slope = point.cost_slope / width,
-                     .sigma = point.sigma * width};
+            const double value = value_at_position(free, point.at);
+            point = {
+                .at = value,
+                .cost_rise = point.cost_rise,
+                .cost_slope = point.cost_slope * coordinate_slope(free.prior, value) / (bounds.upper - bounds.lower),
+                .cost_rise_95 = point.cost_rise_95};
         }
     }
     return profile;
@@ -65,7 +67,7 @@ void use_profile(const Objective& objective, Inference& inference) {
         const ProfileInterval& found = inference.profile->intervals[i];
         const Bounds& bounds = problem.free[i].bounds;
         ParameterUncertainty& row = inference.uncertainty.parameters[i];
-        row = with_interval(row, {found.lower, found.upper}, !found.is_everything());
+        row = with_interval(row, problem.free[i], {found.lower, found.upper}, !found.is_everything());
         if (row.status != Status::free) continue;
         // The linear model calls what is flat at its bound not identifiable before it asks where it lies.
         if (inference.minimum.values[i] == bounds.lower) row.status = Status::at_lower_bound;
@@ -76,16 +78,17 @@ void use_profile(const Objective& objective, Inference& inference) {
 /// `posterior` of positions as one of values.
 Posterior in_values(Posterior posterior, const std::vector<FreeParameter>& free) {
     for (std::size_t i = 0; i < free.size(); ++i) {
-        const Bounds& bounds = free[i].bounds;
-        const double width = bounds.upper - bounds.lower;
         Marginal& marginal = posterior.marginals[i];
-        for (double* const place : {&marginal.median, &marginal.mean, &marginal.lower, &marginal.upper}) {
-            *place = bounds.lower + width * *place;
+        for (double* const place : {&marginal.median, &marginal.lower, &marginal.upper}) {
+            *place = value_at_position(free[i], *place);
         }
-        marginal.sigma *= width;
         auto draws = posterior.draws.row(static_cast<Index>(i));
-        draws = (bounds.lower + width * draws.array()).matrix().eval();
+        for (double& draw : draws) draw = value_at_position(free[i], draw);
+        marginal.mean = draws.mean();
+        marginal.sigma =
+            std::sqrt((draws.array() - marginal.mean).square().sum() / static_cast<double>(draws.size() - 1));
     }
+    posterior.correlation = correlation_of(posterior.draws);
     return posterior;
 }
 
@@ -95,12 +98,14 @@ void use_posterior(const Objective& objective, std::uint64_t seed, Inference& in
         sample_posterior(in_unit_box(objective), box_position(problem, inference.minimum.values), {.seed = seed});
     inference.posterior = in_values(positions, problem.free);
     for (std::size_t i = 0; i < problem.free.size(); ++i) {
-        const Marginal& marginal = inference.posterior->marginals[i];
-        const double relative = marginal.sigma / prior_sigma(problem.free[i]);
+        const FreeParameter& free = problem.free[i];
+        const Bounds bounds = natural_bounds(free);
+        const double relative = positions.marginals[i].sigma * (bounds.upper - bounds.lower) / prior_sigma(free);
         const double shrinkage = 1.0 - relative * relative;
         inference.identifiability.shrinkage[i] = shrinkage;
+        const Marginal& marginal = inference.posterior->marginals[i];
         ParameterUncertainty& row = inference.uncertainty.parameters[i];
-        row = with_interval(row, {marginal.lower, marginal.upper}, shrinkage >= 0.5);
+        row = with_interval(row, free, {marginal.lower, marginal.upper}, free.prior || shrinkage >= 0.5);
     }
 }
 

@@ -21,7 +21,7 @@ struct Inference {
 
 /// Uncertainty at `minimum` by `method`. Sigmas and correlations are those of `estimate_uncertainty`; intervals come
 /// from `method`, and with them what is not identifiable: by profile a parameter that may lie at either bound, by
-/// posterior one whose variance is more than half of what it was without the spectrum.
+/// posterior one without a prior whose variance is more than half of what it was without the spectrum.
 [[nodiscard]] Inference infer(const Objective& objective, const Minimum& minimum, UncertaintyMethod method,
                               std::uint64_t seed);
 

@@ -69,13 +69,18 @@ Misfit Objective::misfit(std::span<const double> values) const {
     const Misfit priors = prior_misfit(values);
     misfit.residual.tail(all_rows - rows) = priors.residual;
     misfit.jacobian.bottomRows(all_rows - rows) = priors.jacobian;
+    misfit.log_volume = priors.log_volume;
+    misfit.log_volume_slope = priors.log_volume_slope;
     return misfit;
 }
 
 /// The rows of the priors alone.
 Misfit Objective::prior_misfit(std::span<const double> values) const {
     const auto rows = static_cast<Index>(residual_count() - reading_count());
-    Misfit misfit{.residual = VectorXd(rows), .jacobian = MatrixXd::Zero(rows, static_cast<Index>(free_count()))};
+    const auto columns = static_cast<Index>(free_count());
+    Misfit misfit{.residual = VectorXd(rows),
+                  .jacobian = MatrixXd::Zero(rows, columns),
+                  .log_volume_slope = VectorXd::Zero(columns)};
     Index row = 0;
     for (std::size_t i = 0; i < free_count(); ++i) {
         const FreeParameter& free = problem_->free[i];
@@ -87,13 +92,18 @@ Misfit Objective::prior_misfit(std::span<const double> values) const {
     }
     for (const DerivedPrior& derived : problem_->derived_priors) {
         const ParameterValues all = models_[derived.measurement].at(values).values;
-        const Residual residual = prior_residual(derived.prior, derived_value(derived.quantity, all));
+        const double quantity = derived_value(derived.quantity, all);
+        const Residual residual = prior_residual(derived.prior, quantity);
+        const Residual volume = log_score_slope(derived.prior, quantity);
         misfit.residual[row] = residual.value;
+        misfit.log_volume += volume.value;
         for (std::size_t i = 0; i < free_count(); ++i) {
             if (!problem_->free[i].belongs_to(derived.measurement)) continue;
             const double slope = derived_slope(derived.quantity, all, problem_->free[i].parameter);
             // Where the residual is infinite, a parameter without effect still has none.
-            misfit.jacobian(row, static_cast<Index>(i)) = slope == 0.0 ? 0.0 : residual.slope * slope;
+            if (slope == 0.0) continue;
+            misfit.jacobian(row, static_cast<Index>(i)) = residual.slope * slope;
+            misfit.log_volume_slope[static_cast<Index>(i)] += volume.slope * slope;
         }
         ++row;
     }

@@ -15,10 +15,15 @@ namespace skinfit {
 
 /// What is to be minimised, as a least-squares problem.
 struct Misfit {
-    Eigen::VectorXd residual;  ///< of the data, whitened, then of the priors
+    Eigen::VectorXd residual;  ///< of the data, whitened, then of the priors: their scores
     Eigen::MatrixXd jacobian;  ///< residuals x free parameters
+    /// What priors on derived quantities add to -cost / 2 for the logarithm of the posterior's density: the logarithm
+    /// of the slopes of their scores, up to a constant, for they are densities of those quantities; and its derivative,
+    /// empty without priors.
+    double log_volume = 0.0;
+    Eigen::VectorXd log_volume_slope{};
 
-    /// -2 log of the posterior density up to a constant.
+    /// The posterior's density with respect to the natural coordinates is exp(-cost / 2 + log_volume), up to a factor.
     [[nodiscard]] double cost() const { return residual.squaredNorm(); }
 };
 
@@ -50,8 +55,8 @@ public:
     [[nodiscard]] Eigen::VectorXd readings(std::span<const double> values) const;
 
     /// All residuals at values of the free parameters, and their derivatives: one per reading (whitened by the noise
-    /// model, weighted, softened by the loss), then one per prior. Whatever minimises or estimates uncertainty uses
-    /// this. A residual is infinite where a prior has no density.
+    /// model, weighted, softened by the loss), then one per prior, its score. Whatever minimises or estimates
+    /// uncertainty uses this. A residual is infinite where a prior has no density.
     [[nodiscard]] Misfit misfit(std::span<const double> values) const;
 
     /// (modelled - measured) of a reading, whitened by the noise model: of unit variance where the model is right.

@@ -1,6 +1,7 @@
 #include "fit/parameter_words.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +10,14 @@ namespace skinfit {
 namespace {
 
 /// One-sided where the minimum lies at a bound.
-std::string interval_words(const ParameterUncertainty& uncertainty, double grain) {
-    const std::string lower = rounded(uncertainty.interval_95.lower, grain);
-    const std::string upper = rounded(uncertainty.interval_95.upper, grain);
+std::string interval_words(const FittedParameter& free, double grain) {
+    const ParameterUncertainty& uncertainty = free.uncertainty;
+    // Under a prior the lower end may lie decades below the upper one.
+    const auto rounded_end = [&](double end) {
+        return rounded(end, free.prior && end != 0.0 ? std::min(grain, std::abs(end)) : grain);
+    };
+    const std::string lower = rounded_end(uncertainty.interval_95.lower);
+    const std::string upper = rounded_end(uncertainty.interval_95.upper);
     switch (uncertainty.status) {
         case Status::at_lower_bound:
             return "at most " + upper;
@@ -22,7 +28,7 @@ std::string interval_words(const ParameterUncertainty& uncertainty, double grain
     }
 }
 
-std::string remark_on(Status status) {
+std::string remark_on_status(Status status) {
     switch (status) {
         case Status::not_identifiable:
             return "NOT IDENTIFIABLE";
@@ -33,6 +39,12 @@ std::string remark_on(Status status) {
         default:
             return "";
     }
+}
+
+std::string remark_on(const ParameterUncertainty& uncertainty) {
+    std::string remark = remark_on_status(uncertainty.status);
+    if (!uncertainty.decided_by_prior) return remark;
+    return remark + (remark.empty() ? "" : ", ") + "DECIDED BY ITS PRIOR";
 }
 
 }  // namespace
@@ -47,6 +59,18 @@ std::string monte_carlo_words(double error) {
     return error > 0.0 ? rounded(error, error) : "none";
 }
 
+std::string prior_words(const FitResult& result) {
+    std::vector<std::string> names;
+    for (const FittedParameter& free : result.free) {
+        if (free.uncertainty.decided_by_prior) names.push_back(free.name);
+    }
+    if (names.empty()) return "";
+    return fmt::format(
+        "DECIDED BY {} PRIOR: {}; the spectrum says less than the prior does, so value and interval are what was "
+        "assumed, hardly what was measured",
+        names.size() == 1 ? "ITS" : "THEIR", fmt::join(names, ", "));
+}
+
 ParameterWords parameter_words(const FittedParameter& free) {
     const ParameterUncertainty& uncertainty = free.uncertainty;
     const std::string_view unit = info(free.parameter).unit;
@@ -55,9 +79,9 @@ ParameterWords parameter_words(const FittedParameter& free) {
     return {.value = uncertainty.status == Status::not_identifiable ? "-" : rounded(free.value, grain),
             .sigma = has_sigma ? rounded(*uncertainty.sigma, grain) : "-",
             .monte_carlo = has_sigma ? monte_carlo_words(*uncertainty.monte_carlo_sigma) : "-",
-            .interval_95 = interval_words(uncertainty, grain),
+            .interval_95 = interval_words(free, grain),
             .unit = unit.empty() ? "-" : std::string(unit),
-            .remark = remark_on(uncertainty.status)};
+            .remark = remark_on(uncertainty)};
 }
 
 }  // namespace skinfit

@@ -22,6 +22,9 @@ struct ParameterWords {
     std::string remark;  ///< in capitals; empty where all is well
 };
 
+/// Which parameters their priors decide, as a sentence; empty where the spectrum decides all.
+[[nodiscard]] std::string prior_words(const FitResult& result);
+
 /// The words for one fitted parameter.
 [[nodiscard]] ParameterWords parameter_words(const FittedParameter& free);
 

@@ -89,12 +89,6 @@ Marginal marginal(const MatrixXd& draws) {
             .tail_effective_size = tail_effective_size(draws)};
 }
 
-MatrixXd correlation_of(const MatrixXd& draws) {
-    const MatrixXd centred = draws.colwise() - VectorXd(draws.rowwise().mean());
-    const VectorXd inverse = centred.rowwise().norm().cwiseInverse();
-    return inverse.asDiagonal() * (centred * centred.transpose()) * inverse.asDiagonal();
-}
-
 /// Chains around the Laplace approximation, farther apart than it says so that R-hat can tell whether they meet.
 std::vector<NutsChain> started_chains(const BoxMisfit& misfit, const VectorXd& minimum,
                                       const SamplingOptions& options) {
@@ -115,14 +109,22 @@ std::vector<NutsChain> started_chains(const BoxMisfit& misfit, const VectorXd& m
 
 }  // namespace
 
+MatrixXd correlation_of(const MatrixXd& draws) {
+    const MatrixXd centred = draws.colwise() - VectorXd(draws.rowwise().mean());
+    const VectorXd inverse = centred.rowwise().norm().cwiseInverse();
+    return inverse.asDiagonal() * (centred * centred.transpose()) * inverse.asDiagonal();
+}
+
 DensityFunction logit_density(const BoxMisfit& misfit) {
     return [misfit](const VectorXd& logits) -> LogDensity {
         const VectorXd position = logistic(logits);
         const VectorXd rest = logistic(-logits);  // 1 - position, without its rounding
         const Misfit here = misfit(position);
-        const VectorXd slope = here.jacobian.transpose() * here.residual;
-        return {.value = -0.5 * here.residual.squaredNorm() + position.array().log().sum() + rest.array().log().sum(),
-                .gradient = rest - position - slope.cwiseProduct(position).cwiseProduct(rest)};
+        VectorXd slope = -here.jacobian.transpose() * here.residual;
+        if (here.log_volume_slope.size() > 0) slope += here.log_volume_slope;
+        return {.value = -0.5 * here.residual.squaredNorm() + here.log_volume + position.array().log().sum() +
+                         rest.array().log().sum(),
+                .gradient = rest - position + slope.cwiseProduct(position).cwiseProduct(rest)};
     };
 }
 

@@ -18,6 +18,9 @@ struct SamplingOptions {
     int most_draws = 4000;            ///< of each chain
 };
 
+/// Rows of `draws` with one another.
+[[nodiscard]] Eigen::MatrixXd correlation_of(const Eigen::MatrixXd& draws);
+
 /// What the draws say of one parameter: positions in the unit box, in a result values.
 struct Marginal {
     double median;
@@ -30,7 +33,7 @@ struct Marginal {
     double tail_effective_size;
 };
 
-/// Draws from exp(-cost / 2) over the unit box.
+/// Draws from the posterior over the unit box: exp(-cost / 2 + `Misfit::log_volume`).
 struct Posterior {
     std::vector<Marginal> marginals;
     Eigen::MatrixXd correlation;
@@ -40,11 +43,11 @@ struct Posterior {
     std::int64_t evaluations;
 };
 
-/// exp(-cost / 2) over the unit box as a density of the logits of the positions, so that a bound is infinitely far
+/// That density over the unit box as one of the logits of the positions, so that a bound is infinitely far
 /// away and a density that is largest at a bound is sampled right.
 [[nodiscard]] DensityFunction logit_density(const BoxMisfit& misfit);
 
-/// Samples exp(-cost / 2) over the unit box: chains in parallel from around `minimum`, a first mass matrix by Laplace's
+/// Samples it: chains in parallel from around `minimum`, a first mass matrix by Laplace's
 /// approximation there, draws until every parameter has the wanted effective samples. Depends on the seed alone, not on
 /// the number of threads. `misfit` is called from several threads at a time.
 [[nodiscard]] Posterior sample_posterior(const BoxMisfit& misfit, const Eigen::VectorXd& minimum,

@@ -40,34 +40,6 @@ double required(const Json& value, std::string_view key, const Range& range, con
     return read_number(value[std::string(key)], range, fmt::format("{}.{}", where, key));
 }
 
-/// Nothing for a uniform prior.
-std::optional<Prior> read_prior(const Json& value, const std::string& where) {
-    require_object(value, where, R"(write it as in {"kind": "normal", "mean": 0.5, "sigma": 0.1})");
-    if (!value.contains("kind")) {
-        refuse(where, value, "kind is missing", fmt::format("give one of {}", fmt::join(kinds, ", ")));
-    }
-    const std::size_t kind = read_choice(value["kind"], kinds, where + ".kind");
-    const bool uniform = kind == forms.size();
-    for (const auto& [key, entry] : value.items()) {
-        if (key == "kind") continue;
-        if (uniform) {
-            throw InputError({.where = where,
-                              .problem = fmt::format("unknown name \"{}\"", key),
-                              .why = "a uniform prior has nothing to set",
-                              .remedy = "set lower and upper under parameters for its limits"});
-        }
-        const std::vector<std::string_view> known = {"kind", forms[kind].first, forms[kind].second};
-        if (std::ranges::find(known, key) == known.end()) refuse_unknown(where, key, known);
-    }
-    if (uniform) return std::nullopt;
-    const Form& form = forms[kind];
-    const double first = required(value, form.first, form.first_range, where);
-    const double second = required(value, form.second, form.second_range, where);
-    if (form.kind == "normal") return NormalPrior{.mean = first, .sigma = second};
-    if (form.kind == "log_normal") return LogNormalPrior{.median = first, .sigma_log = second};
-    return BetaPrior{.a = first, .b = second};
-}
-
 void take_set(Configuration& configuration, const Json& word, const std::string& where) {
     const bool physiological = sets[read_choice(word, sets, where)] == "physiological";
     configuration.priors.fill(std::nullopt);
@@ -106,14 +78,6 @@ Plain plain(const Prior& prior) {
     return {&forms[2], beta.a, beta.b};
 }
 
-Json to_json(const Prior& prior) {
-    const auto [form, first, second] = plain(prior);
-    Json json = {{"kind", form->kind}};
-    json[std::string(form->first)] = first;
-    json[std::string(form->second)] = second;
-    return json;
-}
-
 }  // namespace
 
 std::vector<std::string_view> prior_names() {
@@ -121,6 +85,41 @@ std::vector<std::string_view> prior_names() {
     for (const ParameterInfo& row : parameter_table()) names.push_back(row.name);
     for (const DerivedInfo& row : derived_table()) names.push_back(row.name);
     return names;
+}
+
+std::optional<Prior> read_prior(const Json& value, const std::string& where) {
+    require_object(value, where, R"(write it as in {"kind": "normal", "mean": 0.5, "sigma": 0.1})");
+    if (!value.contains("kind")) {
+        refuse(where, value, "kind is missing", fmt::format("give one of {}", fmt::join(kinds, ", ")));
+    }
+    const std::size_t kind = read_choice(value["kind"], kinds, where + ".kind");
+    const bool uniform = kind == forms.size();
+    for (const auto& [key, entry] : value.items()) {
+        if (key == "kind") continue;
+        if (uniform) {
+            throw InputError({.where = where,
+                              .problem = fmt::format("unknown name \"{}\"", key),
+                              .why = "a uniform prior has nothing to set",
+                              .remedy = "set lower and upper under parameters for its limits"});
+        }
+        const std::vector<std::string_view> known = {"kind", forms[kind].first, forms[kind].second};
+        if (std::ranges::find(known, key) == known.end()) refuse_unknown(where, key, known);
+    }
+    if (uniform) return std::nullopt;
+    const Form& form = forms[kind];
+    const double first = required(value, form.first, form.first_range, where);
+    const double second = required(value, form.second, form.second_range, where);
+    if (form.kind == "normal") return NormalPrior{.mean = first, .sigma = second};
+    if (form.kind == "log_normal") return LogNormalPrior{.median = first, .sigma_log = second};
+    return BetaPrior{.a = first, .b = second};
+}
+
+Json to_json(const Prior& prior) {
+    const auto [form, first, second] = plain(prior);
+    Json json = {{"kind", form->kind}};
+    json[std::string(form->first)] = first;
+    json[std::string(form->second)] = second;
+    return json;
 }
 
 void read_priors(Configuration& configuration, const Json& value, const std::string& where) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,11 @@ namespace skinfit {
 /// on top of the set named by its entry "set", if there is one. Throws InputError for anything else and for numbers out
 /// of range, as for a beta that has no maximum inside.
 void read_priors(Configuration& configuration, const Json& value, const std::string& where);
+
+/// One prior in the form that such an object holds, and back: nothing for a uniform one. Throws InputError as
+/// `read_priors` does.
+[[nodiscard]] std::optional<Prior> read_prior(const Json& value, const std::string& where);
+[[nodiscard]] Json to_json(const Prior& prior);
 
 /// The priors that are not uniform, in the form `read_priors` takes.
 [[nodiscard]] Json write_priors(const Configuration& configuration);

@@ -43,10 +43,10 @@ void check_prior(const FreeParameter& free, const Bounds& bounds) {
     constexpr double least_mass = 0.1;
     if (!free.prior) return;
     const std::string where = fmt::format("priors.{}", info(free.parameter).name);
-    const double most_probable = mode(*free.prior);
-    if (!(most_probable >= bounds.lower && most_probable <= bounds.upper)) {
+    const double median = prior_median(*free.prior);
+    if (!(median >= bounds.lower && median <= bounds.upper)) {
         throw InputError({.where = where,
-                          .problem = fmt::format("is most probable at {:.6g}, outside the bounds", most_probable),
+                          .problem = fmt::format("has its median at {:.6g}, outside the bounds", median),
                           .why = fmt::format("they are {} and {}", bounds.lower, bounds.upper),
                           .remedy = "change the prior or the bounds"});
     }

@@ -23,10 +23,12 @@ double normal_share_below(double x) {
 
 /// `point` of the profile of `column`. A rise below 0 is no more than the descents leave.
 ProfilePoint profile_point(const BoxPoint& point, Index column, double rise) {
-    return {.at = point.position[column],
+    const double at = point.position[column];
+    const double root = critical_root(std::min(at, 1.0 - at) / sigma_along(point, column));
+    return {.at = at,
             .cost_rise = std::max(rise, 0.0),
             .cost_slope = 2.0 * point.misfit.jacobian.col(column).dot(point.misfit.residual),
-            .sigma = sigma_along(point, column)};
+            .cost_rise_95 = root * root};
 }
 
 /// The search along the profile of one position, from the minimum towards one bound.
@@ -120,7 +122,7 @@ ProfileSearch::End ProfileSearch::run() {
         }
         const double root = std::sqrt(std::max(rise, 1e-12));
         const ProfilePoint here = profile_point(last_, column_, rise);
-        const double excess = root - critical_root(std::min(here.at, 1.0 - here.at) / here.sigma);
+        const double excess = root - std::sqrt(here.cost_rise_95);
         end.curve.push_back(here);
         if (target == limit_ && excess <= 0.0) return end;
         const double tried = distance;

@@ -24,6 +24,7 @@ Json parameters_json(const FitResult& result) {
                                  {"upper", fitted.bounds.upper},
                                  {"start", fitted.start},
                                  {"status", name_of(uncertainty.status)},
+                                 {"decided_by_prior", uncertainty.decided_by_prior},
                                  {"unit", info(fitted.parameter).unit}};
         }
     }

@@ -224,6 +224,7 @@ std::string text_report(const FitResult& result) {
     if (result.verdict != Verdict::trustworthy) std::ranges::transform(verdict, verdict.begin(), ::toupper);
     std::string text = title_text(result) + fmt::format("verdict: {}\n", verdict);
     for (const std::string& reason : result.reasons) text += fmt::format("  - {}\n", reason);
+    if (const std::string words = prior_words(result); !words.empty()) text += fmt::format("  {}\n", words);
     if (!result.findings.empty()) text += findings_text(result.findings, result.spectra.size());
     text += fmt::format("\n{}\n", parameter_table_text(result));
     text += fmt::format("misfit: rmse {:.5f}, chi2 {:.2f} for {:.3g} degrees of freedom{}\n", result.rmse, result.chi2,

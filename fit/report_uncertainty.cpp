@@ -84,7 +84,7 @@ Json profile_json(const FitResult& result) {
             json["value"].push_back(point.at);
             json["cost_rise"].push_back(point.cost_rise);
             json["cost_slope"].push_back(point.cost_slope);
-            json["cost_rise_95"].push_back(cost_rise_95(curve, point.at, result.free[i].bounds));
+            json["cost_rise_95"].push_back(point.cost_rise_95);
         }
     }
     return {{"evaluations", result.profile->evaluations},

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "fit/configuration_json.hpp"
+#include "fit/prior.hpp"
 
 namespace skinfit {
 
@@ -37,8 +38,10 @@ std::optional<double> largest_difference_in_sigmas(const FitResult& result, cons
     for (std::size_t i = 0; i < result.free.size(); ++i) {
         const FittedParameter& fitted = result.free[i];
         if (!fitted.uncertainty.sigma) continue;
-        const double difference = std::abs(other.values[i] - fitted.value) / *fitted.uncertainty.sigma;
-        largest = std::max(largest.value_or(0.0), difference);
+        const double difference =
+            natural_coordinate(fitted.prior, other.values[i]) - natural_coordinate(fitted.prior, fitted.value);
+        const double sigma = *fitted.uncertainty.sigma * coordinate_slope(fitted.prior, fitted.value);
+        largest = std::max(largest.value_or(0.0), std::abs(difference) / sigma);
     }
     return largest;
 }

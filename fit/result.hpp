@@ -25,6 +25,7 @@ struct FittedParameter {
     double start;                      ///< of the first search
     Bounds bounds;                     ///< within the support of the prior
     ParameterUncertainty uncertainty;  ///< of a fixed parameter: Status::fixed and the value as interval
+    std::optional<Prior> prior{};      ///< of a free parameter; unset: uniform within the bounds
 };
 
 /// The answer of one solver, for comparison with another.
@@ -101,8 +102,8 @@ struct FitResult {
 /// What a cost consists of, as in "chi2 with loss huber and what 1 prior adds".
 [[nodiscard]] std::string cost_words(const FitResult& result);
 
-/// Largest difference of a free parameter between two answers, in standard deviations of the result; none when no
-/// parameter has one.
+/// Largest difference of a free parameter between two answers, in standard deviations of the result, by natural
+/// coordinates; none when no parameter has one.
 [[nodiscard]] std::optional<double> largest_difference_in_sigmas(const FitResult& result, const Minimum& other);
 
 }  // namespace skinfit

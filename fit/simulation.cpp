@@ -40,12 +40,12 @@ std::vector<double> drawn_skin(const FitProblem& problem, ChainRandom& random) {
             values.push_back(drawn_value(free, random));
             value_of(experiment.values, free.parameter) = values.back();
         }
-        double squares = 0.0;
+        double log_share = 0.0;
         for (const DerivedPrior& derived : problem.derived_priors) {
             const double value = derived_value(derived.quantity, experiment.values);
-            squares += std::pow(prior_residual(derived.prior, value).value, 2);
+            log_share += log_density(derived.prior, value).value;
         }
-        if (random.uniform() < std::exp(-0.5 * squares)) return values;
+        if (random.uniform() < std::exp(log_share)) return values;
     }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/box_misfit.hpp"
 #include "fit/critical_values.hpp"
 #include "fit/identifiability.hpp"
 
@@ -17,13 +18,27 @@ using Eigen::VectorXd;
 /// The width of the bounds in the standard deviation of a uniform distribution over them.
 const double box_width = std::sqrt(12.0);
 
-/// The problem linearised at the minimum. Each parameter is measured in standard deviations of a uniform
+/// The problem linearised at the minimum. Each natural coordinate is measured in standard deviations of a uniform
 /// distribution over its bounds, each residual in sigmas: a singular value below one is a direction in which the data
 /// say less than the bounds.
 struct Linearised {
     MatrixXd jacobian;  // residuals x free parameters
     VectorXd residuals;
-    VectorXd unit;  // of each parameter: width of its bounds / sqrt(12)
+    VectorXd unit;  // of each natural coordinate: width of its bounds / sqrt(12)
+};
+
+/// One free parameter at the minimum.
+struct Place {
+    const FreeParameter& free;
+    double value;
+    double unit;
+
+    [[nodiscard]] double slope() const { return coordinate_slope(free.prior, value); }
+    /// The value whose natural coordinate lies `units` away.
+    [[nodiscard]] double moved(double units) const {
+        const double there = value_at_coordinate(free.prior, natural_coordinate(free.prior, value) + units * unit);
+        return std::clamp(there, free.bounds.lower, free.bounds.upper);
+    }
 };
 
 Linearised linearise(const Objective& objective, const Minimum& minimum) {
@@ -32,9 +47,10 @@ Linearised linearise(const Objective& objective, const Minimum& minimum) {
     Linearised linear{
         .jacobian = misfit.jacobian, .residuals = misfit.residual, .unit = VectorXd(misfit.jacobian.cols())};
     for (Index column = 0; column < linear.unit.size(); ++column) {
-        const Bounds& bounds = problem.free[static_cast<std::size_t>(column)].bounds;
+        const auto i = static_cast<std::size_t>(column);
+        const Bounds bounds = natural_bounds(problem.free[i]);
         linear.unit[column] = (bounds.upper - bounds.lower) / box_width;
-        linear.jacobian.col(column) *= linear.unit[column];
+        linear.jacobian.col(column) *= linear.unit[column] / coordinate_slope(problem.free[i].prior, minimum.values[i]);
     }
     return linear;
 }
@@ -76,10 +92,6 @@ double distance_into_box(const Linearised& linear, Index column, const MatrixXd&
     return denominator > 0.0 ? 2.0 * rise / denominator : box_width;
 }
 
-Bounds within(const Bounds& interval, const Bounds& limits) {
-    return {std::max(interval.lower, limits.lower), std::min(interval.upper, limits.upper)};
-}
-
 /// The standard error of each inner parameter from the scatter of the ensemble's batches.
 VectorXd monte_carlo_sigmas(const Objective& objective, const Minimum& minimum, const Inverse& inverse) {
     MatrixXd readings = objective.batch_readings(minimum.values);
@@ -89,12 +101,6 @@ VectorXd monte_carlo_sigmas(const Objective& objective, const Minimum& minimum, 
     const VectorXd reading = objective.model(minimum.values).reading;
     const MatrixXd changes = inverse.response.leftCols(readings.rows()) * objective.residual_changes(reading, readings);
     return (changes.rowwise().squaredNorm() / (batches * (batches - 1.0))).cwiseSqrt();
-}
-
-/// At this standard deviation spectrum and bounds, or spectrum and prior, say as much as each other. That of the
-/// spectrum comes alone or, where there is a prior, with the prior's.
-double largest_sigma(const FreeParameter& free) {
-    return free.prior ? prior_sigma(free) / std::sqrt(2.0) : prior_sigma(free);
 }
 
 /// Which parameters are pressed against a bound, and which move freely.
@@ -114,28 +120,34 @@ Split split_at_bounds(const std::vector<FreeParameter>& free, const Minimum& min
     return split;
 }
 
-/// `reach`: how far from its bound the parameter may lie.
-ParameterUncertainty uncertainty_at_bound(Status status, double value, double reach, const Bounds& bounds) {
-    const Bounds interval =
-        status == Status::at_lower_bound ? Bounds{bounds.lower, value + reach} : Bounds{value - reach, bounds.upper};
-    return {.status = status,
-            .sigma = std::nullopt,
-            .monte_carlo_sigma = std::nullopt,
-            .interval_95 = within(interval, bounds)};
-}
-
-ParameterUncertainty not_identifiable(const Bounds& bounds) {
+ParameterUncertainty not_identifiable(const FreeParameter& free) {
     return {.status = Status::not_identifiable,
             .sigma = std::nullopt,
             .monte_carlo_sigma = std::nullopt,
-            .interval_95 = bounds};
+            .interval_95 = free.bounds,
+            .decided_by_prior = is_decided_by_prior(free, free.bounds)};
 }
 
-ParameterUncertainty inner_uncertainty(double value, double sigma, double monte_carlo_sigma, const Bounds& bounds) {
+/// `reach`: how far from its bound the parameter may lie, in units.
+ParameterUncertainty uncertainty_at_bound(Status status, const Place& place, double reach) {
+    const Bounds& bounds = place.free.bounds;
+    const Bounds interval = status == Status::at_lower_bound ? Bounds{bounds.lower, place.moved(reach)}
+                                                             : Bounds{place.moved(-reach), bounds.upper};
+    return {.status = status,
+            .sigma = std::nullopt,
+            .monte_carlo_sigma = std::nullopt,
+            .interval_95 = interval,
+            .decided_by_prior = is_decided_by_prior(place.free, interval)};
+}
+
+/// Standard deviations in units.
+ParameterUncertainty inner_uncertainty(const Place& place, double sigma, double monte_carlo_sigma) {
+    const Bounds interval{place.moved(-normal_95 * sigma), place.moved(normal_95 * sigma)};
     return {.status = Status::free,
-            .sigma = sigma,
-            .monte_carlo_sigma = monte_carlo_sigma,
-            .interval_95 = within({value - normal_95 * sigma, value + normal_95 * sigma}, bounds)};
+            .sigma = sigma * place.unit / place.slope(),
+            .monte_carlo_sigma = monte_carlo_sigma * place.unit / place.slope(),
+            .interval_95 = interval,
+            .decided_by_prior = is_decided_by_prior(place.free, interval)};
 }
 
 MatrixXd correlation(const MatrixXd& covariance, const std::vector<Index>& inner, Index count) {
@@ -160,22 +172,19 @@ Uncertainty estimate_uncertainty(const Objective& objective, const Minimum& mini
     Index next_inner = 0;
     for (std::size_t i = 0; i < free.size(); ++i) {
         const auto column = static_cast<Index>(i);
-        const double unit = linear.unit[column];
+        const Place place{.free = free[i], .value = minimum.values[i], .unit = linear.unit[column]};
         if (split.statuses[i] != Status::free) {
             const double distance = distance_into_box(linear, column, inner, inverse);
-            uncertainty.parameters.push_back(
-                distance >= box_width
-                    ? not_identifiable(free[i].bounds)
-                    : uncertainty_at_bound(split.statuses[i], minimum.values[i], distance * unit, free[i].bounds));
+            uncertainty.parameters.push_back(distance >= box_width
+                                                 ? not_identifiable(free[i])
+                                                 : uncertainty_at_bound(split.statuses[i], place, distance));
             continue;
         }
-        const double relative_sigma = std::sqrt(inverse.covariance(next_inner, next_inner));
-        const double relative_monte_carlo = monte_carlo[next_inner];
+        const double sigma = std::sqrt(inverse.covariance(next_inner, next_inner));
+        const bool is_unknown = !free[i].prior && sigma >= 1.0;
+        uncertainty.parameters.push_back(is_unknown ? not_identifiable(free[i])
+                                                    : inner_uncertainty(place, sigma, monte_carlo[next_inner]));
         ++next_inner;
-        uncertainty.parameters.push_back(relative_sigma * unit >= largest_sigma(free[i])
-                                             ? not_identifiable(free[i].bounds)
-                                             : inner_uncertainty(minimum.values[i], relative_sigma * unit,
-                                                                 relative_monte_carlo * unit, free[i].bounds));
     }
     return uncertainty;
 }

@@ -21,6 +21,7 @@ struct ParameterUncertainty {
     std::optional<double> sigma;              ///< 1 standard deviation from the noise; for Status::free only
     std::optional<double> monte_carlo_sigma;  ///< from the finite number of rays; for Status::free only
     Bounds interval_95;                       ///< within the bounds of the fit
+    bool decided_by_prior = false;            ///< `is_decided_by_prior` its interval
 };
 
 /// How well the spectrum determines the free parameters at a minimum.
@@ -31,14 +32,14 @@ struct Uncertainty {
     Eigen::MatrixXd correlation;
 };
 
-/// The uncertainty by linearisation at `minimum`.
+/// The uncertainty by linearisation at `minimum`, in the natural coordinates of the parameters.
 ///
 /// A parameter at a bound, with the cost rising into the box, is taken out of the covariance; its 95 % limit is where
-/// the linearised cost, minimised over the others, has risen by 2.71. A parameter whose standard deviation is not below
-/// that of a uniform distribution over its bounds, width / sqrt(12), or whose limit at one bound lies beyond the other,
-/// is not identifiable: the data say less than the bounds do; its interval is the bounds. Where a parameter has a prior
-/// of its own, its standard deviation with the spectrum must be below 1/sqrt(2) of that without. The others have sigma,
-/// and intervals of 1.96 sigma cut at the bounds.
+/// the linearised cost, minimised over the others, has risen by 2.71. One without a prior of its own whose standard
+/// deviation is not below that of a uniform distribution over its bounds, width / sqrt(12), is not identifiable: the
+/// data say less than the bounds do; so is one whose limit at one bound lies beyond the other. Its interval is the
+/// bounds. The others have intervals of 1.96 standard deviations of the natural coordinate, cut at the bounds, and
+/// sigma, which is the standard deviation of the coordinate over its slope at the minimum.
 [[nodiscard]] Uncertainty estimate_uncertainty(const Objective& objective, const Minimum& minimum);
 
 }  // namespace skinfit

@@ -7,6 +7,7 @@
 
 #include "core/version.hpp"
 #include "fit/configuration_json.hpp"
+#include "fit/parameter_words.hpp"
 #include "fit/report.hpp"
 #include "model/table.hpp"
 #include "report/fit_sections.hpp"
@@ -23,6 +24,7 @@ Html summary(const FitResult& result) {
     for (const std::string& reason : result.reasons) reasons.push_back(escaped(reason));
     text += bullet_list(reasons);
     if (reasons.empty()) text += paragraph("Nothing speaks against the fit.");
+    if (const std::string words = prior_words(result); !words.empty()) text += paragraph(words + ".");
     return text;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fit/gnuplot.hpp"
+#include "fit/prior.hpp"
 #include "report/tic_step.hpp"
 
 namespace skinfit {
@@ -84,12 +85,16 @@ std::string lines_script(const FittedParameter& fitted, const ProfileCurve& curv
     };
     std::string script =
         data("curve", drawn(overlap({curve.front().at, curve.back().at}, inside),
-                            [&](double at) { return cost_rise_at(curve, at); })) +
-        data("threshold", drawn(inside, [&](double at) { return cost_rise_95(curve, at, fitted.bounds); })) +
+                            [&](double at) { return cost_rise_at(curve, fitted.prior, at); })) +
+        data("threshold", drawn(inside, [&](double at) { return cost_rise_95_at(curve, fitted.prior, at); })) +
         points_of(fmt::format("points{}", number), curve);
     std::string plots = fmt::format("plot $threshold{} with lines {} notitle, ", number, threshold_look);
     if (const std::optional<double>& sigma = fitted.uncertainty.sigma) {
-        const auto parabola = [&](double at) { return std::pow((at - fitted.value) / *sigma, 2); };
+        const double natural_sigma = *sigma * coordinate_slope(fitted.prior, fitted.value);
+        const double minimum = natural_coordinate(fitted.prior, fitted.value);
+        const auto parabola = [&](double at) {
+            return std::pow((natural_coordinate(fitted.prior, at) - minimum) / natural_sigma, 2);
+        };
         script += data("parabola", drawn(inside, parabola));
         plots += fmt::format("$parabola{} with lines {} notitle, ", number, parabola_look);
     }

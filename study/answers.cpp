@@ -19,10 +19,22 @@ const IndexValue* index_of(const LedgerRow& row, const std::string& name) {
     return found == row.studied.indices.end() ? nullptr : &*found;
 }
 
-std::optional<MarginalDistribution> marginal_in(const LedgerRow& row, const std::string& quantity) {
+/// What is believed of a quantity, and whether its prior says most of it.
+struct Belief {
+    MarginalDistribution marginal;
+    bool decided_by_prior;
+};
+
+std::optional<Belief> belief_in(const LedgerRow& row, const std::string& quantity) {
     if (!has_answer(row.studied.status)) return std::nullopt;
-    if (const ParameterEstimate* const parameter = parameter_of(row, quantity)) return marginal_of(*parameter);
-    if (const IndexValue* const index = index_of(row, quantity)) return marginal_of(*index);
+    if (const ParameterEstimate* const parameter = parameter_of(row, quantity)) {
+        const std::optional<MarginalDistribution> marginal = marginal_of(*parameter);
+        if (!marginal) return std::nullopt;
+        return Belief{.marginal = *marginal, .decided_by_prior = parameter->decided_by_prior};
+    }
+    if (const IndexValue* const index = index_of(row, quantity)) {
+        return Belief{.marginal = marginal_of(*index), .decided_by_prior = false};
+    }
     return std::nullopt;
 }
 
@@ -31,7 +43,7 @@ bool matches(const Metadata& metadata, const Metadata& wanted) {
 }
 
 /// What is believed of the reference of each specimen.
-using References = std::map<std::string, std::vector<MarginalDistribution>>;
+using References = std::map<std::string, std::vector<Belief>>;
 
 References references_of(const Indicator& indicator, const std::vector<LedgerRow>& rows) {
     References references;
@@ -39,8 +51,9 @@ References references_of(const Indicator& indicator, const std::vector<LedgerRow
     for (const LedgerRow& row : rows) {
         const std::string specimen = word_of(row.metadata, indicator.reference->same);
         if (specimen.empty() || !matches(row.metadata, indicator.reference->where)) continue;
-        const std::optional<MarginalDistribution> marginal = marginal_in(row, indicator.quantity);
-        if (marginal) references[specimen].push_back(*marginal);
+        if (const std::optional<Belief> belief = belief_in(row, indicator.quantity)) {
+            references[specimen].push_back(*belief);
+        }
     }
     return references;
 }
@@ -49,22 +62,26 @@ IndicatorAnswer answer(const Indicator& indicator, const LedgerRow& row, const R
     if (!has_answer(row.studied.status)) {
         return {.probability = {}, .why_none = std::string(name_of(row.studied.status))};
     }
-    const std::optional<MarginalDistribution> marginal = marginal_in(row, indicator.quantity);
-    if (!marginal) {
+    const std::optional<Belief> belief = belief_in(row, indicator.quantity);
+    if (!belief) {
         const bool known = parameter_of(row, indicator.quantity) != nullptr;
         return {.probability = {}, .why_none = indicator.quantity + (known ? " is not identifiable" : " is not known")};
     }
     double above = 0.0;
+    bool decided_by_prior = belief->decided_by_prior;
     if (indicator.threshold) {
-        above = marginal->probability_above(*indicator.threshold);
+        above = belief->marginal.probability_above(*indicator.threshold);
     } else {
         const auto found = references.find(word_of(row.metadata, indicator.reference->same));
         if (found == references.end()) return {.probability = {}, .why_none = "no reference of the same specimen"};
         if (matches(row.metadata, indicator.reference->where)) return {.probability = {}, .why_none = "a reference"};
-        for (const MarginalDistribution& reference : found->second) above += marginal->probability_above(reference);
+        for (const Belief& reference : found->second) {
+            above += belief->marginal.probability_above(reference.marginal);
+            decided_by_prior = decided_by_prior || reference.decided_by_prior;
+        }
         above /= static_cast<double>(found->second.size());
     }
-    return {.probability = indicator.above ? above : 1.0 - above, .why_none = {}};
+    return {.probability = indicator.above ? above : 1.0 - above, .why_none = {}, .decided_by_prior = decided_by_prior};
 }
 
 /// Mean and standard deviation of a posterior whose distribution is linear between its quantiles.
@@ -79,7 +96,10 @@ QuantityEstimate of_posterior(const ParameterEstimate& parameter) {
         const double b = quantiles[k] - mean;
         variance += (a * a + a * b + b * b) / 3.0 / parts;
     }
-    return {.value = mean, .sigma = std::sqrt(variance), .interval_95 = parameter.interval_95};
+    return {.value = mean,
+            .sigma = std::sqrt(variance),
+            .interval_95 = parameter.interval_95,
+            .decided_by_prior = parameter.decided_by_prior};
 }
 
 }  // namespace
@@ -103,8 +123,10 @@ std::optional<QuantityEstimate> estimate_of(const LedgerRow& row, const std::str
     if (!has_answer(row.studied.status)) return std::nullopt;
     if (const ParameterEstimate* const parameter = parameter_of(row, quantity)) {
         if (!parameter->quantiles.empty()) return of_posterior(*parameter);
-        return QuantityEstimate{
-            .value = parameter->value, .sigma = parameter->sigma, .interval_95 = parameter->interval_95};
+        return QuantityEstimate{.value = parameter->value,
+                                .sigma = parameter->sigma,
+                                .interval_95 = parameter->interval_95,
+                                .decided_by_prior = parameter->decided_by_prior};
     }
     if (const IndexValue* const index = index_of(row, quantity)) {
         return QuantityEstimate{.value = index->value, .sigma = index->sigma, .interval_95 = {}};

@@ -13,6 +13,9 @@ namespace skinfit {
 struct IndicatorAnswer {
     std::optional<double> probability;  ///< none where the spectrum does not tell
     std::string why_none;               ///< in a few words; empty where there is a probability
+    /// The quantity or its reference is decided by its prior (`ParameterEstimate::decided_by_prior`): the probability
+    /// is hardly the spectrum's.
+    bool decided_by_prior = false;
 };
 
 /// A spectrum of a study with the answers to the study's questions.
@@ -32,6 +35,7 @@ struct QuantityEstimate {
     double value;
     std::optional<double> sigma;
     std::optional<Bounds> interval_95;  ///< of a parameter
+    bool decided_by_prior = false;
 };
 
 /// Of a sampled posterior its mean and standard deviation, else value and sigma of the fit. None where the spectrum has

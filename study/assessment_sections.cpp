@@ -63,6 +63,7 @@ struct ProbabilityCounts {
     std::size_t open = 0;
     std::size_t probable = 0;  ///< above 0.95
     std::size_t none = 0;
+    std::size_t decided_by_prior = 0;  ///< of those with a probability
 };
 
 ProbabilityCounts counts_of(const std::vector<AnsweredRow>& rows, std::size_t indicator) {
@@ -70,6 +71,7 @@ ProbabilityCounts counts_of(const std::vector<AnsweredRow>& rows, std::size_t in
     ProbabilityCounts counts;
     for (const AnsweredRow& each : rows) {
         const std::optional<double>& probability = each.indicators[indicator].probability;
+        if (each.indicators[indicator].decided_by_prior) ++counts.decided_by_prior;
         if (!probability) {
             ++counts.none;
         } else if (*probability < small) {
@@ -209,16 +211,21 @@ HtmlSection indicators_section(const Study& study, const std::vector<AnsweredRow
                                 {.name = "p < 0.05"},
                                 {.name = "0.05 to 0.95"},
                                 {.name = "p > 0.95"},
-                                {.name = "cannot tell"}},
+                                {.name = "cannot tell"},
+                                {.name = "decided by the prior"}},
                     .rows = {}};
     for (std::size_t i = 0; i < study.indicators.size(); ++i) {
         const Indicator& indicator = study.indicators[i];
         const ProbabilityCounts counts = counts_of(rows, i);
         table.rows.push_back({text(indicator.name), text(question_of(indicator)), text(indicator.source),
                               text(fmt::format("{}", counts.improbable)), text(fmt::format("{}", counts.open)),
-                              text(fmt::format("{}", counts.probable)), text(fmt::format("{}", counts.none))});
+                              text(fmt::format("{}", counts.probable)), text(fmt::format("{}", counts.none)),
+                              text(fmt::format("{}", counts.decided_by_prior))});
     }
-    return {.title = "Indicators", .body = html_table(table)};
+    return {.title = "Indicators",
+            .body = html_table(table) +
+                    paragraph("Decided by the prior: the spectrum says less about the quantity than its prior does, so "
+                              "that the probability is what was assumed, hardly what was measured.")};
 }
 
 HtmlSection assessments_section(const Study& study, const std::vector<AnsweredRow>& rows) {

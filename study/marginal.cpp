@@ -5,6 +5,8 @@
 #include <cassert>
 #include <utility>
 
+#include "fit/prior.hpp"
+
 namespace skinfit {
 namespace {
 
@@ -35,6 +37,46 @@ std::vector<double> split_normal(double centre, double below, double above, cons
     return quantiles;
 }
 
+ParameterEstimate in_natural_coordinate(ParameterEstimate estimate) {
+    if (estimate.sigma) *estimate.sigma *= coordinate_slope(estimate.prior, estimate.value);
+    for (double* const value : {&estimate.value, &estimate.interval_95.lower, &estimate.interval_95.upper,
+                                &estimate.bounds.lower, &estimate.bounds.upper}) {
+        *value = natural_coordinate(estimate.prior, *value);
+    }
+    return estimate;
+}
+
+/// Of the distribution that value, sigma and interval tell, all in the natural coordinate.
+std::optional<std::vector<double>> natural_quantiles(const ParameterEstimate& estimate) {
+    const boost::math::normal standard;
+    const double two_sided_95 = quantile(standard, 0.975);
+    const double one_sided_95 = quantile(standard, 0.95);  // its square is by how much the cost has risen there
+    const Bounds& interval = estimate.interval_95;
+    const Bounds& bounds = estimate.bounds;
+    const double value = estimate.value;
+    switch (estimate.status) {
+        case Status::not_identifiable:
+            return std::nullopt;
+        case Status::at_lower_bound:
+            if (interval.upper >= bounds.upper) return std::nullopt;  // any value may be
+            return split_normal(value, 0.0, (interval.upper - value) / one_sided_95, bounds);
+        case Status::at_upper_bound:
+            if (interval.lower <= bounds.lower) return std::nullopt;
+            return split_normal(value, (value - interval.lower) / one_sided_95, 0.0, bounds);
+        default:
+            break;
+    }
+    // An end of the interval at a bound says nothing of the scale.
+    std::optional<double> below = estimate.sigma;
+    std::optional<double> above = estimate.sigma;
+    if (interval.lower > bounds.lower) below = (value - interval.lower) / two_sided_95;
+    if (interval.upper < bounds.upper) above = (interval.upper - value) / two_sided_95;
+    if (!below) below = above;
+    if (!above) above = below;
+    if (!below) return std::nullopt;  // the interval is the whole range
+    return split_normal(value, *below, *above, bounds);
+}
+
 }  // namespace
 
 MarginalDistribution::MarginalDistribution(std::vector<double> quantiles) : quantiles_(std::move(quantiles)) {
@@ -61,34 +103,12 @@ double MarginalDistribution::probability_above(const MarginalDistribution& other
 
 std::optional<MarginalDistribution> marginal_of(const ParameterEstimate& estimate) {
     if (!estimate.quantiles.empty()) return MarginalDistribution(estimate.quantiles);
-    const boost::math::normal standard;
-    const double two_sided_95 = quantile(standard, 0.975);
-    const double one_sided_95 = quantile(standard, 0.95);  // its square is by how much the cost has risen there
-    const Bounds& interval = estimate.interval_95;
-    const double value = estimate.value;
-    switch (estimate.status) {
-        case Status::not_identifiable:
-            return std::nullopt;
-        case Status::at_lower_bound:
-            if (interval.upper >= estimate.bounds.upper) return std::nullopt;  // any value may be
-            return MarginalDistribution(
-                split_normal(value, 0.0, (interval.upper - value) / one_sided_95, estimate.bounds));
-        case Status::at_upper_bound:
-            if (interval.lower <= estimate.bounds.lower) return std::nullopt;
-            return MarginalDistribution(
-                split_normal(value, (value - interval.lower) / one_sided_95, 0.0, estimate.bounds));
-        default:
-            break;
+    std::optional<std::vector<double>> quantiles = natural_quantiles(in_natural_coordinate(estimate));
+    if (!quantiles) return std::nullopt;
+    for (double& each : *quantiles) {
+        each = std::clamp(value_at_coordinate(estimate.prior, each), estimate.bounds.lower, estimate.bounds.upper);
     }
-    // An end of the interval at a bound says nothing of the scale.
-    std::optional<double> below = estimate.sigma;
-    std::optional<double> above = estimate.sigma;
-    if (interval.lower > estimate.bounds.lower) below = (value - interval.lower) / two_sided_95;
-    if (interval.upper < estimate.bounds.upper) above = (interval.upper - value) / two_sided_95;
-    if (!below) below = above;
-    if (!above) above = below;
-    if (!below) return std::nullopt;  // the interval is the whole range
-    return MarginalDistribution(split_normal(value, *below, *above, estimate.bounds));
+    return MarginalDistribution(std::move(*quantiles));
 }
 
 MarginalDistribution marginal_of(const IndexValue& index) {

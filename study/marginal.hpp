@@ -25,9 +25,10 @@ private:
 };
 
 /// The marginal distribution of a parameter: that of the posterior where it was sampled. Otherwise what the interval
-/// says, cut at the bounds of the fit: two halves of normal distributions that meet at the value, each with the
-/// standard deviation that puts its end of the interval at the normal distribution's 97.5 %; of a parameter at a bound
-/// one half, whose limit lies 1.645 standard deviations away, where the cost has risen by 2.71
+/// says, cut at the bounds of the fit: in the natural coordinate of the parameter, that of its prior, two halves of
+/// normal distributions that meet at the value, each with the standard deviation that puts its end of the interval at
+/// the normal distribution's 97.5 %; of a parameter at a bound one half, whose limit lies 1.645 standard deviations
+/// away, where the cost has risen by 2.71
 /// (`estimate_uncertainty`). None for one that is not identifiable or whose interval is the whole range: the spectrum
 /// does not tell.
 [[nodiscard]] std::optional<MarginalDistribution> marginal_of(const ParameterEstimate& estimate);

@@ -33,7 +33,7 @@ Entry taken_apart(const Json& value) {
 /// Where searches begin.
 double start(const std::optional<Prior>& prior, const Bounds& bounds) {
     if (!prior) return 0.5 * (bounds.lower + bounds.upper);
-    return std::clamp(mode(*prior), bounds.lower, bounds.upper);
+    return std::clamp(prior_median(*prior), bounds.lower, bounds.upper);
 }
 
 Configuration with_parameter(Configuration configuration, Parameter parameter, const Json& value,

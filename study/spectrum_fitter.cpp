@@ -56,7 +56,9 @@ StudiedSpectrum described(const FitResult& result) {
                                       .sigma = free.uncertainty.sigma,
                                       .interval_95 = free.uncertainty.interval_95,
                                       .bounds = free.bounds,
-                                      .status = free.uncertainty.status});
+                                      .status = free.uncertainty.status,
+                                      .prior = free.prior,
+                                      .decided_by_prior = free.uncertainty.decided_by_prior});
         if (result.posterior) studied.parameters.back().quantiles = quantiles_of(*result.posterior, row);
         for (Eigen::Index column = 0; column < row; ++column) {
             studied.correlation.push_back(result.correlation(row, column));

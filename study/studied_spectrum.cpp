@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "fit/prior_json.hpp"
 #include "fit/report.hpp"
 
 namespace skinfit {
@@ -18,6 +19,10 @@ std::optional<double> number_or_none(const Json& json) {
 
 Bounds bounds_from(const Json& json) {
     return {.lower = json.at(0).get<double>(), .upper = json.at(1).get<double>()};
+}
+
+std::optional<Prior> prior_from(const Json& estimate) {
+    return estimate.contains("prior") ? read_prior(estimate["prior"], "prior") : std::nullopt;
 }
 
 Status status_named(const std::string& name) {
@@ -44,7 +49,9 @@ Json parameters_json(const std::vector<ParameterEstimate>& parameters) {
                         {"sigma", or_null(each.sigma)},
                         {"interval_95", {each.interval_95.lower, each.interval_95.upper}},
                         {"bounds", {each.bounds.lower, each.bounds.upper}},
-                        {"status", name_of(each.status)}});
+                        {"status", name_of(each.status)},
+                        {"decided_by_prior", each.decided_by_prior}});
+        if (each.prior) json.back()["prior"] = to_json(*each.prior);
         if (!each.quantiles.empty()) json.back()["quantiles"] = each.quantiles;
     }
     return json;
@@ -59,7 +66,9 @@ std::vector<ParameterEstimate> parameters_from_json(const Json& json) {
                               .interval_95 = bounds_from(each.at("interval_95")),
                               .bounds = bounds_from(each.at("bounds")),
                               .status = status_named(each.at("status").get<std::string>()),
-                              .quantiles = each.value("quantiles", std::vector<double>())});
+                              .quantiles = each.value("quantiles", std::vector<double>()),
+                              .prior = prior_from(each),
+                              .decided_by_prior = each.value("decided_by_prior", false)});
     }
     return parameters;
 }

@@ -23,6 +23,8 @@ struct ParameterEstimate {
     Bounds bounds;  ///< of the fit
     Status status;
     std::vector<double> quantiles{};  ///< of the posterior at 0, 1, ..., 100 %, where it was sampled
+    std::optional<Prior> prior{};     ///< unset: uniform within the bounds
+    bool decided_by_prior = false;    ///< `ParameterUncertainty::decided_by_prior`
 };
 
 /// What became of one spectrum of a study.

@@ -76,7 +76,8 @@ std::string header_line(const Study& study, const StudyColumns& columns) {
     std::vector<std::string> last;
     for (const std::string& name : columns.parameters) {
         last.push_back(name);
-        for (const char* part : {"sigma", "lower_95", "upper_95", "status"}) last.push_back(name + "_" + part);
+        for (const char* part : {"sigma", "lower_95", "upper_95", "status", "decided_by_prior"})
+            last.push_back(name + "_" + part);
     }
     for (const std::string& name : columns.indices) {
         last.push_back(name);
@@ -84,7 +85,10 @@ std::string header_line(const Study& study, const StudyColumns& columns) {
     }
     last.emplace_back("skin_colour");
     last.emplace_back("p_skin_colour");
-    for (const Indicator& indicator : study.indicators) last.push_back("p_" + indicator.name);
+    for (const Indicator& indicator : study.indicators) {
+        last.push_back("p_" + indicator.name);
+        last.push_back("p_" + indicator.name + "_decided_by_prior");
+    }
     for (const auto& [a, b] : columns.correlated) last.push_back(fmt::format("correlation_{}_{}", a, b));
     for (const char* name :
          {"rmse", "chi2", "degrees_of_freedom", "p_value", "input_hash", "configuration_hash", "seconds"}) {
@@ -99,10 +103,14 @@ std::string header_line(const Study& study, const StudyColumns& columns) {
     return line.ended();
 }
 
+std::string yes_or_no(bool is_so) {
+    return is_so ? "yes" : "no";
+}
+
 void add_parameter(const StudiedSpectrum& studied, const std::string& name, Line& line) {
     const auto found = std::ranges::find(studied.parameters, name, &ParameterEstimate::name);
     if (found == studied.parameters.end()) {
-        for (int i = 0; i < 5; ++i) line.add("");
+        for (int i = 0; i < 6; ++i) line.add("");
         return;
     }
     line.add(number(found->value));
@@ -110,6 +118,7 @@ void add_parameter(const StudiedSpectrum& studied, const std::string& name, Line
     line.add(number(found->interval_95.lower));
     line.add(number(found->interval_95.upper));
     line.add(std::string(name_of(found->status)));
+    line.add(yes_or_no(found->decided_by_prior));
 }
 
 /// The most probable class of skin colour, and its probability.
@@ -144,7 +153,10 @@ std::string row_line(const AnsweredRow& each, const StudyColumns& columns) {
         line.add(known ? number(found->sigma) : "");
     }
     add_colour(studied, line);
-    for (const IndicatorAnswer& answer : each.indicators) line.add(number(answer.probability));
+    for (const IndicatorAnswer& answer : each.indicators) {
+        line.add(number(answer.probability));
+        line.add(answer.probability ? yes_or_no(answer.decided_by_prior) : "");
+    }
     for (const auto& pair : columns.correlated) line.add(number(correlation_of(studied, pair)));
     for (const std::optional<double>& value :
          {studied.rmse, studied.chi2, studied.degrees_of_freedom, studied.p_value}) {

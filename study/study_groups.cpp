@@ -101,11 +101,13 @@ std::string unit_of(const std::string& quantity) {
 std::optional<GroupSummary> summary_of(const StudyGroup& group, const std::string& quantity) {
     std::vector<double> values;
     std::vector<double> sigmas;
+    std::size_t decided_by_prior = 0;
     for (const AnsweredRow* const each : group.rows) {
         const std::optional<QuantityEstimate> estimate = estimate_of(each->row, quantity);
         if (!estimate) continue;
         values.push_back(estimate->value);
         if (estimate->sigma) sigmas.push_back(*estimate->sigma);
+        if (estimate->decided_by_prior) ++decided_by_prior;
     }
     if (values.empty()) return std::nullopt;
     const auto n = static_cast<double>(values.size());
@@ -116,7 +118,8 @@ std::optional<GroupSummary> summary_of(const StudyGroup& group, const std::strin
                         .mean = mean,
                         .sd = std::sqrt(squares / (n - 1.0)),  // NaN for one
                         .median = median_of(values),
-                        .median_sigma = median_of(sigmas)};
+                        .median_sigma = median_of(sigmas),
+                        .decided_by_prior = decided_by_prior};
 }
 
 std::vector<RepeatedEstimate> repeats_of(const Study& study, const std::vector<AnsweredRow>& rows,

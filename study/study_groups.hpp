@@ -33,7 +33,8 @@ struct GroupSummary {
     double mean = 0.0;
     double sd = 0.0;  ///< between spectra; NaN for one
     double median = 0.0;
-    double median_sigma = 0.0;  ///< claimed; NaN where none has one
+    double median_sigma = 0.0;         ///< claimed; NaN where none has one
+    std::size_t decided_by_prior = 0;  ///< spectra of which the prior of the quantity says more than they do
 };
 
 /// None where no spectrum has the quantity.

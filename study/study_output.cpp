@@ -24,8 +24,9 @@ Json indicators_json(const Study& study, const AnsweredRow& each) {
     Json json = Json::object();
     for (std::size_t i = 0; i < study.indicators.size(); ++i) {
         const IndicatorAnswer& answer = each.indicators[i];
-        json[study.indicators[i].name] =
-            answer.probability ? Json{{"probability", *answer.probability}} : Json{{"none", answer.why_none}};
+        json[study.indicators[i].name] = answer.probability ? Json{{"probability", *answer.probability},
+                                                                   {"decided_by_prior", answer.decided_by_prior}}
+                                                            : Json{{"none", answer.why_none}};
     }
     return json;
 }

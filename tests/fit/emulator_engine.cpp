@@ -162,7 +162,8 @@ TEST(FitInBulk, EndsWhereTheSingleFitEnds) {
             const ParameterUncertainty& single = uncertainty.parameters[j];
             const auto column = static_cast<Eigen::Index>(j);
             const bool at_bound = fits[i].covariance(column, column) == 0.0;
-            const double in_priors = std::sqrt(fits[i].covariance(column, column)) / prior_sigma(problem.free[j]);
+            const double in_priors =
+                std::sqrt(fits[i].covariance(column, column)) / prior_step(problem.free[j], fits[i].values[j]);
             // Both are called so where the bounds say as much; the sigmas agree within a part in a hundred.
             if (!at_bound && std::abs(in_priors - 1.0) > 0.01) {
                 unknown += single.status == Status::not_identifiable ? 1 : 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/erase_repeated.hpp"
+#include "fit/critical_values.hpp"
 #include "fit/diagnosis.hpp"
 
 namespace skinfit::test {
@@ -165,8 +166,10 @@ FitResult profiled_result() {
         ProfileCurve curve;
         for (const double at : {lower, free.value, upper}) {
             const double distance = (at - free.value) / sigma;
-            curve.push_back(
-                {.at = at, .cost_rise = std::pow(distance, 2), .cost_slope = 2.0 * distance / sigma, .sigma = sigma});
+            curve.push_back({.at = at,
+                             .cost_rise = std::pow(distance, 2),
+                             .cost_slope = 2.0 * distance / sigma,
+                             .cost_rise_95 = normal_95 * normal_95});
         }
         erase_repeated(curve, &ProfilePoint::at);
         result.profile->intervals.push_back({.lower = lower,

@@ -145,7 +145,7 @@ TEST(InverseProblem, ContradictionsAreRefused) {
     const Spectrum spectrum = spectrum_of_table_1();
     for (const auto& [text, words] : {
              std::pair{R"({"priors": {"oxygen_saturation": {"kind": "normal", "mean": 2, "sigma": 1}}})", "outside"},
-             std::pair{R"({"priors": {"oxygen_saturation": {"kind": "log_normal", "median": 50, "sigma_log": 2.1}}})",
+             std::pair{R"({"priors": {"oxygen_saturation": {"kind": "normal", "mean": 0.5, "sigma": 10}}})",
                        "of its mass"},
              std::pair{R"({"exclude_nm": [[0, 1000]]})", "leaves no wavelength"},
              std::pair{R"({"wavelength_min_nm": 551, "wavelength_max_nm": 553})", "the file has none between them"},

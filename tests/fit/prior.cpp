@@ -40,33 +40,73 @@ double density(const Prior& prior, double x) {
     return boost::math::pdf(boost::math::beta_distribution<double>(beta.a, beta.b), x);
 }
 
-TEST(Prior, ResidualIsTheSignedRootOfTwiceTheFallOfTheLogDensity) {
+double share_below(const Prior& prior, double x) {
+    return mass_within(prior, {.lower = -1e9, .upper = x});
+}
+
+TEST(Prior, ResidualIsTheNormalScore) {
     for (const Case& c : cases) {
         SCOPED_TRACE(c.name);
         for (const double x : c.points) {
-            const double residual = prior_residual(c.prior, x).value;
-            const double wanted = 2.0 * std::log(density(c.prior, mode(c.prior)) / density(c.prior, x));
-            // Boost's densities are good to hundreds of roundings, a thousand for large exponents.
-            EXPECT_NEAR(residual * residual, wanted, 4000 * epsilon * (1.0 + wanted)) << x;
-            EXPECT_EQ(residual > 0.0, x > mode(c.prior)) << x;
+            const double score = prior_residual(c.prior, x).value;
+            const double normal_share = 0.5 * std::erfc(-score / std::numbers::sqrt2);
+            EXPECT_NEAR(normal_share, share_below(c.prior, x), 1e-13) << x;
+            EXPECT_NEAR(value_at_coordinate(c.prior, score), x, 1e-12 * (1.0 + std::abs(x))) << x;
         }
     }
 }
 
-TEST(Prior, SlopeIsTheDerivativeAtTheModeAndElsewhere) {
+TEST(Prior, ResidualIsZeroAtTheMedianWhateverTheScale) {
     for (const Case& c : cases) {
         SCOPED_TRACE(c.name);
-        std::vector<double> points = c.points;
-        points.push_back(mode(c.prior));
-        for (const double x : points) {
-            const auto central = [&](double h) {
-                return (prior_residual(c.prior, x + h).value - prior_residual(c.prior, x - h).value) / (2.0 * h);
-            };
-            const double h = 1e-3 * std::min(x, std::abs(1.0 - x));
-            const double once = (4.0 * central(h / 2) - central(h)) / 3.0;
-            const double twice = (16.0 * (4.0 * central(h / 4) - central(h / 2)) / 3.0 - once) / 15.0;
-            const double rounding = 8 * epsilon * (1.0 + std::abs(prior_residual(c.prior, x).value)) / (h / 4);
-            EXPECT_NEAR(prior_residual(c.prior, x).slope, twice, std::abs(twice - once) + rounding) << x;
+        const double median = prior_median(c.prior);
+        EXPECT_NEAR(prior_residual(c.prior, median).value, 0.0, 1e-9);
+        EXPECT_NEAR(share_below(c.prior, median), 0.5, 1e-12);
+    }
+    EXPECT_DOUBLE_EQ(prior_median(LogNormalPrior{.median = 0.05, .sigma_log = 1.5}), 0.05);
+}
+
+/// In both tails, where one of the two shares is rounded away.
+TEST(Prior, ScoresOfTheTailsOfABetaAreExact) {
+    const Prior beta = BetaPrior{.a = 2.0, .b = 5.0};
+    for (const double score : {-7.5, -3.0, 3.0, 6.0}) {
+        EXPECT_NEAR(prior_residual(beta, value_at_coordinate(beta, score)).value, score, 1e-9) << score;
+    }
+}
+
+TEST(Prior, LogDensityIsThatOfBoost) {
+    for (const Case& c : cases) {
+        SCOPED_TRACE(c.name);
+        for (const double x : c.points) {
+            const double constant = log_density(c.prior, c.points[1]).value - std::log(density(c.prior, c.points[1]));
+            const double wanted = std::log(density(c.prior, x)) + constant;
+            // Boost's densities are good to hundreds of roundings, a thousand for large exponents.
+            EXPECT_NEAR(log_density(c.prior, x).value, wanted, 4000 * epsilon * (1.0 + std::abs(wanted))) << x;
+            EXPECT_LE(log_density(c.prior, x).value, 0.0) << x;
+            const double score = prior_residual(c.prior, x).value;
+            const double slope = log_score_slope(c.prior, x).value - log_score_slope(c.prior, c.points[1]).value;
+            const double ratio = prior_residual(c.prior, x).slope / prior_residual(c.prior, c.points[1]).slope;
+            EXPECT_NEAR(slope, std::log(ratio), 1e-8 * (1.0 + score * score)) << x;
+        }
+    }
+}
+
+TEST(Prior, SlopesAreTheDerivatives) {
+    for (const Case& c : cases) {
+        SCOPED_TRACE(c.name);
+        for (const auto& function : {&prior_residual, &log_density, &log_score_slope}) {
+            for (const double x : c.points) {
+                const auto central = [&](double h) {
+                    return (function(c.prior, x + h).value - function(c.prior, x - h).value) / (2.0 * h);
+                };
+                const double h = 1e-3 * std::min(x, std::abs(1.0 - x));
+                const double once = (4.0 * central(h / 2) - central(h)) / 3.0;
+                const double twice = (16.0 * (4.0 * central(h / 4) - central(h / 2)) / 3.0 - once) / 15.0;
+                const double score = prior_residual(c.prior, x).value;
+                // Scores of a beta are good to hundreds of roundings.
+                const double rounding = 400 * epsilon * (1.0 + score * score) / (h / 4);
+                EXPECT_NEAR(function(c.prior, x).slope, twice, std::abs(twice - once) + rounding) << x;
+            }
         }
     }
 }
@@ -84,20 +124,6 @@ TEST(Prior, MassOfItsOwnQuantileRangeIsThatRange) {
     EXPECT_NEAR(mass_within(BetaPrior{.a = 2.0, .b = 2.0}, {0.0, 0.5}), 0.5, 4 * epsilon);
 }
 
-TEST(Prior, StandardDeviationIsThatOfTheDistribution) {
-    constexpr double tolerance = 1e-5;  // of the integrals, relative: ten times what is asked of each
-    EXPECT_NEAR(standard_deviation(NormalPrior{.mean = 1.0, .sigma = 0.01}, {-10.0, 20.0}), 0.01, 0.01 * tolerance);
-    const double log_normal = 3.0 * std::exp(0.125) * std::sqrt(std::expm1(0.25));
-    EXPECT_NEAR(standard_deviation(LogNormalPrior{.median = 3.0, .sigma_log = 0.5}, {0.0, 300.0}), log_normal,
-                log_normal * tolerance);
-    const double beta = std::sqrt(2.0 * 5.0 / (49.0 * 8.0));
-    EXPECT_NEAR(standard_deviation(BetaPrior{.a = 2.0, .b = 5.0}, {0.0, 1.0}), beta, beta * tolerance);
-    // So wide that the bounds decide: uniform; half of a normal one.
-    EXPECT_NEAR(standard_deviation(NormalPrior{.mean = 0.5, .sigma = 1e4}, {0.0, 1.0}), 1.0 / std::sqrt(12.0), 1e-6);
-    const double half = std::sqrt(1.0 - 2.0 / std::numbers::pi);
-    EXPECT_NEAR(standard_deviation(NormalPrior{.mean = 0.0, .sigma = 1.0}, {0.0, 20.0}), half, half * tolerance);
-}
-
 TEST(Prior, QuantileWithinBoundsHasTheShareBelow) {
     for (const Prior& prior : {Prior(NormalPrior{.mean = 0.1, .sigma = 0.2}),
                                Prior(LogNormalPrior{.median = 0.05, .sigma_log = 1.5}), Prior(BetaPrior{2.0, 5.0})}) {
@@ -109,16 +135,19 @@ TEST(Prior, QuantileWithinBoundsHasTheShareBelow) {
     }
 }
 
-TEST(Prior, SupportEndsAtAResidualOfEightWhereABoundHasNoDensity) {
+TEST(Prior, SupportEndsAtAScoreOfEightWhereABoundHasNoDensity) {
     const Prior log_normal = LogNormalPrior{.median = 0.05, .sigma_log = 1.5};
     const Bounds positive = within_support(log_normal, {0.0, 3.0});
     EXPECT_NEAR(prior_residual(log_normal, positive.lower).value, -8.0, 1e-12);
     EXPECT_EQ(positive.upper, 3.0);
     const Prior beta = BetaPrior{.a = 2.0, .b = 5.0};
     const Bounds inner = within_support(beta, {0.0, 1.0});
-    // 30 bits of the logarithm of the distance from the end.
     EXPECT_NEAR(prior_residual(beta, inner.lower).value, -8.0, 1e-6);
     EXPECT_NEAR(prior_residual(beta, inner.upper).value, 8.0, 1e-6);
+    // So steep that no number below 1 has a score of 8.
+    const Prior steep = BetaPrior{.a = 5.0, .b = 1.001};
+    EXPECT_LT(within_support(steep, {0.0, 1.0}).upper, 1.0);
+    EXPECT_TRUE(std::isfinite(prior_residual(steep, within_support(steep, {0.0, 1.0}).upper).value));
     EXPECT_EQ(within_support(beta, {0.1, 0.9}).lower, 0.1);
     EXPECT_EQ(within_support(NormalPrior{.mean = 0.0, .sigma = 1e-3}, {0.0, 1.0}).upper, 1.0);
 }

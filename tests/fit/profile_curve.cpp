@@ -35,7 +35,7 @@ void expect_profile(const ProfileInterval& interval, const Bounds& bounds) {
     }
     for (const auto& [end, is_open] :
          {std::pair(interval.lower, interval.open_below), std::pair(interval.upper, interval.open_above)}) {
-        const double beyond_threshold = cost_rise_at(curve, end) - cost_rise_95(curve, end, bounds);
+        const double beyond_threshold = cost_rise_at(curve, {}, end) - cost_rise_95_at(curve, {}, end);
         if (is_open) {
             EXPECT_LE(beyond_threshold, 0.0);
         } else {
@@ -61,14 +61,14 @@ TEST(ProfileCurve, OfALinearModelIsTheParabolaOfItsCovariance) {
         for (double share = 0.0; share <= 1.0; share += 0.05) {
             const double at = std::lerp(found.lower, found.upper, share);
             const double distance = at - centre[i];
-            EXPECT_NEAR(cost_rise_at(found.curve, at), distance * distance / variance, 1e-6);
+            EXPECT_NEAR(cost_rise_at(found.curve, {}, at), distance * distance / variance, 1e-6);
         }
         for (const ProfilePoint& point : found.curve) {
             const double slope = 2.0 * (point.at - centre[i]) / variance;
             EXPECT_NEAR(point.cost_slope, slope, 1e-6 * (1.0 + std::abs(slope)));
-            EXPECT_NEAR(point.sigma, std::sqrt(variance), 1e-6 * std::sqrt(variance));
+            EXPECT_NEAR(point.cost_rise_95, normal_95 * normal_95, rounding);
         }
-        EXPECT_NEAR(cost_rise_at(found.curve, found.upper), normal_95 * normal_95, 1e-6);
+        EXPECT_NEAR(cost_rise_at(found.curve, {}, found.upper), normal_95 * normal_95, 1e-6);
     }
 }
 
@@ -102,6 +102,7 @@ TEST(ProfileCurve, ReachesTheBoundWhereTheIntervalDoes) {
     for (const ProfileInterval& found : profile_intervals(linear(jacobian, centre), centre).intervals) {
         EXPECT_TRUE(found.open_below);
         expect_profile(found, {0.0, 1.0});
+        EXPECT_NEAR(found.curve.front().cost_rise_95, one_sided_95 * one_sided_95, rounding);
     }
 }
 
@@ -120,20 +121,29 @@ TEST(ProfileCurve, IsExactForCubicsAndEndsAtItsEnds) {
     const auto slope = [](double x) { return 2.0 + x * (-2.0 + 3.0 * x); };
     ProfileCurve curve;
     for (const double at : {-0.5, 0.2, 1.0}) {
-        curve.push_back({.at = at, .cost_rise = cubic(at), .cost_slope = slope(at), .sigma = 1.0});
+        curve.push_back({.at = at, .cost_rise = cubic(at), .cost_slope = slope(at), .cost_rise_95 = 3.0 + at});
     }
-    for (double at = -0.5; at <= 1.0; at += 0.01) EXPECT_NEAR(cost_rise_at(curve, at), cubic(at), 1e-12);
-    EXPECT_EQ(cost_rise_at(curve, -2.0), cubic(-0.5));
-    EXPECT_EQ(cost_rise_at(curve, 2.0), cubic(1.0));
-    EXPECT_EQ(cost_rise_at({curve[1]}, 0.9), cubic(0.2));
+    for (double at = -0.5; at <= 1.0; at += 0.01) EXPECT_NEAR(cost_rise_at(curve, {}, at), cubic(at), 1e-12);
+    EXPECT_EQ(cost_rise_at(curve, {}, -2.0), cubic(-0.5));
+    EXPECT_EQ(cost_rise_at(curve, {}, 2.0), cubic(1.0));
+    EXPECT_EQ(cost_rise_at({curve[1]}, {}, 0.9), cubic(0.2));
+    EXPECT_NEAR(cost_rise_95_at(curve, {}, 0.7), 3.7, 1e-12);
+    EXPECT_EQ(cost_rise_95_at(curve, {}, 2.0), 4.0);
 }
 
-TEST(ProfileCurve, HasALowerThresholdAtABound) {
-    const ProfileCurve curve = {{.at = 5.0, .cost_rise = 0.0, .cost_slope = 0.0, .sigma = 1.0}};
-    EXPECT_NEAR(cost_rise_95(curve, 2.0, {2.0, 9.0}), one_sided_95 * one_sided_95, rounding);
-    EXPECT_NEAR(cost_rise_95(curve, 9.0, {2.0, 9.0}), one_sided_95 * one_sided_95, rounding);
-    EXPECT_NEAR(cost_rise_95(curve, 5.0, {2.0, 9.0}), normal_95 * normal_95, rounding);
-    EXPECT_LT(cost_rise_95(curve, 2.0, {2.0, 9.0}), cost_rise_95(curve, 3.0, {2.0, 9.0}));
+/// A parabola of the logarithm, known at three points that lie decades apart.
+TEST(ProfileCurve, IsCubicInTheNaturalCoordinate) {
+    const Prior prior = LogNormalPrior{.median = 0.05, .sigma_log = 1.5};
+    const auto score = [](double x) { return std::log(x / 0.05) / 1.5; };
+    ProfileCurve curve;
+    for (const double at : {0.002, 0.05, 1.0}) {
+        const double slope = 2.0 * score(at) / (1.5 * at);
+        curve.push_back({.at = at, .cost_rise = std::pow(score(at), 2), .cost_slope = slope, .cost_rise_95 = 3.84});
+    }
+    for (const double at : {0.003, 0.01, 0.2, 0.9}) {
+        EXPECT_NEAR(cost_rise_at(curve, prior, at), std::pow(score(at), 2), 1e-12) << at;
+        EXPECT_GT(std::abs(cost_rise_at(curve, {}, at) - std::pow(score(at), 2)), 0.01) << at;
+    }
 }
 
 /// A specimen whose parameters all lie many sigmas from their bounds, so that the model is nearly linear within reach.
@@ -180,7 +190,6 @@ TEST(ProfileCurve, OfWhatTheReadingIsLinearInHasTheSlopesOfItsParabola) {
             // In sigmas; to the ridge of 1e-6 beside the information and to what the descents leave.
             const double distance = (point.at - result.free[i].value) / sigma;
             EXPECT_NEAR(point.cost_slope * sigma, 2.0 * distance, 1e-3) << result.free[i].name;
-            EXPECT_NEAR(point.sigma / sigma, 1.0, 1e-3) << result.free[i].name;
         }
     }
 }
@@ -199,7 +208,7 @@ TEST(ProfileCurve, IsInTheReportForPrograms) {
             EXPECT_EQ(json["value"][k], curve[k].at);
             EXPECT_EQ(json["cost_rise"][k], curve[k].cost_rise);
             EXPECT_EQ(json["cost_slope"][k], curve[k].cost_slope);
-            EXPECT_EQ(json["cost_rise_95"][k], cost_rise_95(curve, curve[k].at, free.bounds));
+            EXPECT_EQ(json["cost_rise_95"][k], curve[k].cost_rise_95);
         }
     }
 }

@@ -136,9 +136,9 @@ function Running({fit, onError}: {fit: Fit; onError: (error: unknown) => void}) 
 }
 
 /// A fitted value as the reports have it.
-function valueOf({value, sigma, status, interval_95: [lower, upper]}: FittedParameter): string {
+function valueOf({value, sigma, status, decided_by_prior, interval_95: [lower, upper]}: FittedParameter): string {
     if (status === "fixed") return shown(value);
-    if (sigma !== null) return withSigma(value, sigma);
+    if (sigma !== null && !decided_by_prior) return withSigma(value, sigma);
     return `${shown(value)}, ${shown(lower, 3)} to ${shown(upper, 3)}`;
 }
 
@@ -211,7 +211,8 @@ function Comparison({vocabulary, model, change, setFiles, fits, setFits, say, on
                             {cells(({parameters}) => {
                                 const found = parameters[name];
                                 if (!found) return "–";
-                                return <>{valueOf(found)}{["free", "fixed"].includes(found.status) ? "" : <em> {inWords(found.status)}</em>}</>;
+                                return <>{valueOf(found)}{["free", "fixed"].includes(found.status) ? "" : <em> {inWords(found.status)}</em>}
+                                    {found.decided_by_prior ? <em> decided by its prior</em> : ""}</>;
                             })}
                         </tr>
                     ))}

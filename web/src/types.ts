@@ -101,6 +101,7 @@ export interface FittedParameter {
     sigma: number | null;
     interval_95: [number, number];
     status: string;
+    decided_by_prior: boolean;
     unit: string;
 }
 
