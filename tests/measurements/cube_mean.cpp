@@ -137,7 +137,7 @@ TEST_F(CubeMeans, LeaveOutPixelsWithAMissingNumberAndCountThem) {
     std::erase(all, std::pair<std::size_t, std::size_t>{0, 1});  // whose second band is 22
     const CubeMean read = mean(made);
     expect_mean(read, made, all);
-    EXPECT_EQ(read.left_out, 1U);
+    EXPECT_EQ(read.incomplete, 1U);
 }
 
 TEST_F(CubeMeans, AreRefusedWhereNoPixelIsComplete) {
