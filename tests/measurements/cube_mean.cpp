@@ -150,7 +150,8 @@ TEST_F(CubeMeans, AreRefusedWhereNoPixelIsComplete) {
         EXPECT_EQ(std::string(error.what()),
                   in_folder("cube.dat").string() +
                       ": the region holds no complete pixel (pixels chosen: 1; each lacks a number in some good "
-                      "band); choose another mask or rectangle, or mark the bands without data as bad in \"bbl\"");
+                      "band, or is one and the same number in all); choose another mask or rectangle, or mark the "
+                      "bands without data as bad in \"bbl\"");
     }
 }
 
