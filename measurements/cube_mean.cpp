@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "core/input_error.hpp"
@@ -33,14 +34,23 @@ struct Sums {
     }
 };
 
-bool is_complete(std::span<const double> spectrum) {
-    return std::ranges::none_of(spectrum, [](double value) { return std::isnan(value); });
+std::size_t numbers_in(std::span<const double> spectrum) {
+    return static_cast<std::size_t>(std::ranges::count_if(spectrum, [](double value) { return !std::isnan(value); }));
+}
+
+/// True for a band that was 0 in every pixel.
+bool is_dead(const Sums& sums, std::size_t band) {
+    return sums.origin[band] == 0 && sums.square[band] == 0;
 }
 
 std::vector<double> standard_uncertainty(const Sums& sums) {
     std::vector<double> sigma;
     const auto n = static_cast<double>(sums.pixels);
     for (std::size_t i = 0; i < sums.origin.size(); ++i) {
+        if (is_dead(sums, i)) {
+            sigma.push_back(std::numeric_limits<double>::quiet_NaN());
+            continue;
+        }
         const double squares_about_mean = sums.square[i] - sums.difference[i] * sums.difference[i] / n;
         if (!(squares_about_mean > 0)) return {};
         sigma.push_back(std::sqrt(squares_about_mean / (n - 1) / n));
@@ -55,7 +65,8 @@ CubeMean mean_spectrum(const SpectralCube& cube, const CubeRegion& region) {
     const Rectangle& rectangle = region.rectangle();
     const std::size_t end = rectangle.first_line + rectangle.lines;
     Sums sums;
-    std::size_t left_out = 0;
+    std::size_t masked = 0;
+    std::size_t incomplete = 0;
     for (std::size_t first = rectangle.first_line; first < end; first += cube.lines_at_once()) {
         const std::size_t count = std::min(cube.lines_at_once(), end - first);
         const std::vector<bool> chosen = region.read_lines(first, count);
@@ -64,10 +75,11 @@ CubeMean mean_spectrum(const SpectralCube& cube, const CubeRegion& region) {
         for (std::size_t pixel = 0; pixel < chosen.size(); ++pixel) {
             if (!chosen[pixel]) continue;
             const std::span<const double> spectrum = std::span(fractions).subspan(pixel * bands, bands);
-            if (is_complete(spectrum)) {
+            const std::size_t numbers = numbers_in(spectrum);
+            if (numbers == bands) {
                 sums.add(spectrum);
             } else {
-                ++left_out;
+                ++(numbers == 0 ? masked : incomplete);
             }
         }
     }
@@ -75,11 +87,16 @@ CubeMean mean_spectrum(const SpectralCube& cube, const CubeRegion& region) {
         throw InputError(
             {.where = cube.files().data.string(),
              .problem = "the region holds no complete pixel",
-             .why = fmt::format("pixels chosen: {}; each lacks a number in some good band", left_out),
+             .why = fmt::format("pixels chosen: {}; each lacks a number in some good band, or is one and the same "
+                                "number in all",
+                                masked + incomplete),
              .remedy = "choose another mask or rectangle, or mark the bands without data as bad in \"bbl\""});
     }
-    CubeMean mean{.value = sums.origin, .sigma = {}, .pixels = sums.pixels, .left_out = left_out};
-    for (std::size_t i = 0; i < bands; ++i) mean.value[i] += sums.difference[i] / static_cast<double>(sums.pixels);
+    CubeMean mean{.value = sums.origin, .sigma = {}, .pixels = sums.pixels, .masked = masked, .incomplete = incomplete};
+    for (std::size_t i = 0; i < bands; ++i) {
+        mean.value[i] += sums.difference[i] / static_cast<double>(sums.pixels);
+        if (is_dead(sums, i)) mean.value[i] = std::numeric_limits<double>::quiet_NaN();
+    }
     if (sums.pixels > 1) mean.sigma = standard_uncertainty(sums);
     return mean;
 }

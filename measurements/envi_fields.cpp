@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/input_error.hpp"
@@ -10,8 +11,58 @@
 #include "measurements/words.hpp"
 
 namespace skinfit {
+namespace {
+
+/// In small letters, words apart by one blank: some programs write `wavelength_units`.
+std::string key_in(std::string_view text) {
+    std::string key;
+    for (const char c : lower_case(trimmed(text))) {
+        const bool blank = c == ' ' || c == '\t' || c == '_';
+        if (!blank) {
+            key += c;
+        } else if (!key.ends_with(' ')) {
+            key += ' ';
+        }
+    }
+    return key;
+}
+
+/// A value on one line, without a comment behind it.
+std::string_view without_comment(std::string_view text) {
+    const std::string_view value = trimmed(text);
+    if (value.starts_with('{')) return value;
+    for (std::size_t at = value.find(';'); at != std::string_view::npos; at = value.find(';', at + 1)) {
+        if (at == 0 || value[at - 1] == ' ' || value[at - 1] == '\t') return trimmed(value.substr(0, at));
+    }
+    return value;
+}
+
+/// The first line from `from` on that is neither empty nor a comment.
+std::size_t next_with_text(const std::vector<std::string_view>& lines, std::size_t from) {
+    while (from < lines.size() && (trimmed(lines[from]).empty() || trimmed(lines[from]).starts_with(';'))) ++from;
+    return from;
+}
+
+/// The cells of a list: between commas, or between blanks where it has no comma. Lines of comments are left out.
+std::vector<std::string> cells_in(std::string_view list) {
+    std::string text;
+    for (const std::string_view line : split_lines(list)) {
+        if (!trimmed(line).starts_with(';')) text += std::string(line) + ' ';
+    }
+    const bool commas = text.find(',') != std::string::npos;
+    if (!commas) std::ranges::replace(text, '\t', ' ');
+    std::vector<std::string> cells;
+    for (const std::string_view cell : split(text, commas ? ',' : ' ')) {
+        if (commas || !cell.empty()) cells.emplace_back(cell);
+    }
+    if (!cells.empty() && cells.back().empty()) cells.pop_back();
+    return cells;
+}
+
+}  // namespace
 
 EnviFields::EnviFields(std::string_view text, const std::string& source) : source_(source) {
+    text = without_byte_order_mark(text);
     if (!is_envi_header(text)) {
         throw InputError({.where = source + ":1",
                           .problem = "does not begin with the line ENVI",
@@ -23,8 +74,12 @@ EnviFields::EnviFields(std::string_view text, const std::string& source) : sourc
         const std::size_t equals = lines[i].find('=');
         if (equals == std::string_view::npos || trimmed(lines[i]).starts_with(';')) continue;
         const std::size_t key_line = i + 1;
-        const std::string key = lower_case(trimmed(lines[i].substr(0, equals)));
-        std::string_view value = trimmed(lines[i].substr(equals + 1));
+        const std::string key = key_in(lines[i].substr(0, equals));
+        std::string_view value = without_comment(lines[i].substr(equals + 1));
+        if (value.empty()) {
+            const std::size_t brace = next_with_text(lines, i + 1);
+            if (brace < lines.size() && trimmed(lines[brace]).starts_with('{')) value = trimmed(lines[i = brace]);
+        }
         if (value.starts_with('{')) {
             value.remove_prefix(1);
             std::size_t end = value.find('}');
@@ -88,8 +143,7 @@ std::optional<double> EnviFields::number(const std::string& key) const {
 std::vector<double> EnviFields::numbers(const std::string& key, std::size_t size) const {
     const std::optional<EnviField> field = find(key);
     if (!field) return {};
-    std::vector<std::string_view> cells = split(field->value, ',');
-    if (cells.back().empty()) cells.pop_back();
+    const std::vector<std::string> cells = cells_in(field->value);
     const std::string where = fmt::format("{}:{}", source_, field->line);
     if (cells.size() != size) {
         throw InputError(
@@ -99,7 +153,7 @@ std::vector<double> EnviFields::numbers(const std::string& key, std::size_t size
              .remedy = "give one number per band"});
     }
     std::vector<double> values;
-    for (const std::string_view cell : cells) {
+    for (const std::string& cell : cells) {
         const std::optional<double> value = parse_number(cell);
         if (!value || !std::isfinite(*value)) {
             throw InputError(

@@ -20,7 +20,9 @@ struct EnviField {
 /// The fields of an ENVI header, before their meaning is read.
 class EnviFields {
 public:
-    /// Throws InputError where the text does not begin with ENVI or a brace is not closed.
+    /// Keys are read in any case, with blanks or underscores between their words. A brace may open on the line below
+    /// its key. Lines that begin with a semicolon, and what stands behind one after a blank, are comments. Throws
+    /// InputError where the text does not begin with ENVI or a brace is not closed.
     EnviFields(std::string_view text, const std::string& source);
 
     /// The field called `key`, in lower case. Throws InputError where it is given twice.
@@ -35,8 +37,12 @@ public:
     /// The field as a number, not necessarily finite.
     [[nodiscard]] std::optional<double> number(const std::string& key) const;
 
-    /// The field as a list of `size` finite numbers; empty where it is not given.
+    /// The field as a list of `size` finite numbers, between commas or, where there are none, blanks; empty where it is
+    /// not given.
     [[nodiscard]] std::vector<double> numbers(const std::string& key, std::size_t size) const;
+
+    /// All keys with their fields, by the alphabet.
+    [[nodiscard]] const std::multimap<std::string, EnviField, std::less<>>& all() const { return fields_; }
 
     /// Throws the InputError that the field is not what it must be.
     [[noreturn]] void refuse(const std::string& key, const EnviField& field, const std::string& why) const;

@@ -31,7 +31,8 @@ bool begins_as_header(const std::filesystem::path& path) {
 /// The endings of data whose header has `.hdr` in their place.
 std::vector<std::string> data_endings() {
     std::vector<std::string> endings;
-    for (const std::string ending : {".dat", ".img", ".raw", ".bin", ".bsq", ".bil", ".bip", ".cube"}) {
+    for (const std::string ending : {".dat", ".img", ".raw", ".bin", ".bsq", ".bil", ".bip", ".cube", ".hyspex", ".hsi",
+                                     ".flt", ".ref", ".rfl", ".rad", ".sli", ".slb", ".lib"}) {
         endings.push_back(ending);
         endings.push_back(ending);
         for (char& c : endings.back()) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -48,6 +49,36 @@ std::vector<std::filesystem::path> data_files(const std::filesystem::path& heade
         if (path != header && is_file(path)) found.push_back(path);
     }
     return found;
+}
+
+bool is_gzipped(const std::filesystem::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return stream.get() == 0x1f && stream.get() == 0x8b;
+}
+
+[[noreturn]] void refuse_short_data(const EnviFiles& files, std::uintmax_t found, std::uint64_t promised) {
+    if (is_gzipped(files.data)) {
+        throw InputError({.where = files.data.string(),
+                          .problem = "is compressed by gzip",
+                          .why = "only plain data are read",
+                          .remedy = "unpack it with gunzip"});
+    }
+    throw InputError({.where = files.data.string(),
+                      .problem = fmt::format("has {} bytes", found),
+                      .why = fmt::format("its header promises {}", promised == std::numeric_limits<std::uint64_t>::max()
+                                                                       ? "more than 2^64"
+                                                                       : fmt::to_string(promised)),
+                      .remedy = "copy the file again if it is cut short, else correct the sizes in the header"});
+}
+
+ReadingRemark remark_on_long_data(const EnviFiles& files, std::uintmax_t found, std::uintmax_t excess) {
+    return {.doubtful = true,
+            .message = fmt::format("{} has {} bytes, {} more than its header promises; if any stand in front of the "
+                                   "numbers, all values belong to other bands or pixels",
+                                   files.data.filename().string(), found, excess),
+            .remedy =
+                "state the bytes in front as \"header offset\", correct the sizes in the header, or cut off what "
+                "stands behind the numbers"};
 }
 
 }  // namespace
@@ -103,13 +134,9 @@ EnviHeader read_envi_header(const EnviFiles& files) {
     EnviHeader header = parse_envi_header(read_file(files.header), files.header.string());
     const std::uintmax_t found = std::filesystem::file_size(files.data);
     const std::uint64_t promised = header.data_file_bytes();
-    if (found >= promised) return header;
-    throw InputError({.where = files.data.string(),
-                      .problem = fmt::format("has {} bytes", found),
-                      .why = fmt::format("its header promises {}", promised == std::numeric_limits<std::uint64_t>::max()
-                                                                       ? "more than 2^64"
-                                                                       : fmt::to_string(promised)),
-                      .remedy = "copy the file again if it is cut short, else correct the sizes in the header"});
+    if (found < promised) refuse_short_data(files, found, promised);
+    if (found > promised) header.remarks.push_back(remark_on_long_data(files, found, found - promised));
+    return header;
 }
 
 Raster open_envi_data(const EnviFiles& files, const EnviHeader& header) {

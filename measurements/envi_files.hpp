@@ -16,7 +16,8 @@ struct EnviFiles {
 
 /// The header that belongs to `path`: `path` itself where it begins as a header does, else the header beside it, which
 /// is called as the data with `.hdr` (or `.HDR`) behind it or in place of an ending that data have: dat, img, raw, bin,
-/// bsq, bil, bip or cube, in small or capital letters. Nothing where there is none.
+/// bsq, bil, bip, cube, hyspex, hsi, flt, ref, rfl, rad, sli, slb or lib, in small or capital letters. Nothing where
+/// there is none.
 [[nodiscard]] std::optional<std::filesystem::path> find_envi_header(const std::filesystem::path& path);
 
 /// Both files, either of which `path` may name. The data are called as the header without `.hdr` or with one of those
@@ -25,8 +26,8 @@ struct EnviFiles {
 /// Throws InputError when `path` is no ENVI file and when no data or several are found.
 [[nodiscard]] EnviFiles find_envi_files(const std::filesystem::path& path);
 
-/// Reads the header; it may have 16 MB. Throws InputError as `parse_envi_header`, and when the data are fewer than it
-/// promises.
+/// Reads the header; it may have 16 MB. Data that are more than it promises make a remark. Throws InputError as
+/// `parse_envi_header`, and when the data are fewer than it promises.
 [[nodiscard]] EnviHeader read_envi_header(const EnviFiles& files);
 
 /// The numbers of the data in the order of the file: each row is a line of all bands for bip, of one band for the

@@ -3,13 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "core/input_error.hpp"
 #include "core/text.hpp"
+#include "measurements/envi_bands.hpp"
 #include "measurements/envi_fields.hpp"
+#include "measurements/envi_scale.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
@@ -58,49 +60,19 @@ void refuse_other_layouts(const EnviFields& fields) {
             if (parse_number(cell) != 0.0) fields.refuse(key, *field, "only plain data without gaps are read");
         }
     }
-    const std::optional<EnviField> kind = fields.find("file type");
-    if (!kind) return;
-    for (const std::string_view other : {"spectral library", "meta file", "virtual mosaic"}) {
-        if (lower_case(kind->value).find(other) == std::string::npos) continue;
-        fields.refuse("file type", *kind, "a cube is needed");
-    }
 }
 
-/// The unit of the wavelengths.
-struct LengthUnit {
-    double nm;
-    std::string rule;
-};
-
-LengthUnit find_wavelength_unit(const EnviFields& fields, const std::vector<double>& wavelengths) {
-    const std::optional<EnviField> field = fields.find("wavelength units");
-    const std::string word = field ? lower_case(field->value) : "";
-    constexpr double nm_per_micrometre = 1000;
-    for (const std::string_view name : {"nanometers", "nanometer", "nanometres", "nanometre", "nm"}) {
-        if (word == name) return {.nm = 1, .rule = "nanometres: stated by the header"};
+/// `EnviHeader::file_type`. Data of other programs have headers of their own in front or between.
+std::string read_file_type(const EnviFields& fields) {
+    const std::optional<EnviField> field = fields.find("file type");
+    if (!field) return {};
+    const std::string type = lower_case(field->value);
+    for (const std::string_view other : {"meta file", "virtual mosaic", "tiff", "hdf", "nitf", "jpeg", "jp2", "png",
+                                         "bmp", "erdas", "esri", "pci", "mrsid", "ecw", "ascii", "fft", "vector"}) {
+        if (type.find(other) == std::string::npos) continue;
+        fields.refuse("file type", *field, "only the plain data of ENVI Standard and ENVI Spectral Library are read");
     }
-    for (const std::string_view name : {"micrometers", "micrometer", "micrometres", "micrometre", "microns", "micron",
-                                        "um", "\xC2\xB5m", "\xCE\xBCm", "\xB5m"}) {
-        if (word == name) return {.nm = nm_per_micrometre, .rule = "micrometres: stated by the header"};
-    }
-    if (!word.empty() && word != "unknown") {
-        fields.refuse("wavelength units", *field, "it must be nanometers or micrometers");
-    }
-    constexpr double largest_in_micrometres = 10;
-    if (std::ranges::max(wavelengths) > largest_in_micrometres) {
-        return {.nm = 1, .rule = fmt::format("nanometres: some exceed {}", largest_in_micrometres)};
-    }
-    return {.nm = nm_per_micrometre, .rule = fmt::format("micrometres: none exceeds {}", largest_in_micrometres)};
-}
-
-void read_wavelengths(const EnviFields& fields, EnviHeader& header) {
-    header.wavelength_nm = fields.numbers("wavelength", header.bands);
-    if (header.wavelength_nm.empty()) return;
-    header.fwhm_nm = fields.numbers("fwhm", header.bands);
-    const LengthUnit unit = find_wavelength_unit(fields, header.wavelength_nm);
-    header.wavelength_rule = unit.rule;
-    for (double& wavelength : header.wavelength_nm) wavelength *= unit.nm;
-    for (double& width : header.fwhm_nm) width *= unit.nm;
+    return type;
 }
 
 std::string on_one_line(std::string_view text) {
@@ -110,13 +82,13 @@ std::string on_one_line(std::string_view text) {
     return line;
 }
 
-/// `EnviHeader::band_names`.
-std::vector<std::string> read_band_names(const EnviFields& fields, std::uint64_t bands) {
-    const std::optional<EnviField> field = fields.find("band names");
+/// The names in a list of `count`; none where it is not given or not as long.
+std::vector<std::string> read_names(const EnviFields& fields, std::string_view key, std::uint64_t count) {
+    const std::optional<EnviField> field = fields.find(key);
     if (!field) return {};
     std::vector<std::string> names;
     for (const std::string_view name : split(field->value, ',')) names.push_back(on_one_line(name));
-    return names.size() == bands ? names : std::vector<std::string>{};
+    return names.size() == count ? names : std::vector<std::string>{};
 }
 
 /// `EnviHeader::place`.
@@ -146,8 +118,14 @@ std::uint64_t EnviHeader::data_file_bytes() const {
     return overflows ? std::numeric_limits<std::uint64_t>::max() : bytes;
 }
 
+std::string_view without_byte_order_mark(std::string_view text) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    return text.substr(text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);
+}
+
 bool is_envi_header(std::string_view text) {
     constexpr std::string_view word = "ENVI";
+    text = without_byte_order_mark(text);
     return text.starts_with(word) &&
            trimmed(text.substr(word.size(), text.find_first_of("\r\n") - word.size())).empty();
 }
@@ -157,25 +135,25 @@ EnviHeader parse_envi_header(std::string_view text, const std::string& source) {
     refuse_other_layouts(fields);
     EnviHeader header;
     header.source = source;
-    header.samples = fields.count("samples", 1, most_samples);
+    header.file_type = read_file_type(fields);
+    header.spectral_library = header.file_type.find("spectral library") != std::string::npos;
+    header.samples = fields.count("samples", 1, header.spectral_library ? most_bands : most_samples);
     header.lines = fields.count("lines", 1, most_samples);
-    header.bands = fields.count("bands", 1, most_bands);
+    header.bands = fields.count("bands", 1, header.spectral_library ? 1 : most_bands);
     if (fields.find("header offset")) header.header_offset = fields.count("header offset", 0, most_samples);
     header.data_type = read_data_type(fields);
-    header.interleave = read_interleave(fields);
-
-    header.reflectance_scale_factor = fields.number("reflectance scale factor");
-    const double scale = header.reflectance_scale_factor.value_or(1);
-    if (!(scale > 0 && std::isfinite(scale))) {
-        fields.refuse("reflectance scale factor", fields.get("reflectance scale factor"), "it must be above 0");
+    if (header.spectral_library) {
+        std::swap(header.samples, header.bands);
+        header.interleave = Interleave::bip;
+        header.spectra_names = read_names(fields, "spectra names", header.lines);
+    } else {
+        header.interleave = read_interleave(fields);
+        header.band_names = read_names(fields, "band names", header.bands);
     }
+    read_envi_bands(fields, header);
+    read_envi_scale(fields, header);
     header.data_ignore_value = fields.number("data ignore value");
-    read_wavelengths(fields, header);
     if (const auto sensor = fields.find("sensor type")) header.sensor_type = sensor->value;
-    header.good.assign(header.bands, true);
-    const std::vector<double> marks = fields.numbers("bbl", header.bands);
-    for (std::size_t band = 0; band < marks.size(); ++band) header.good[band] = marks[band] != 0;
-    header.band_names = read_band_names(fields, header.bands);
     header.place = read_place(fields);
     return header;
 }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "core/geometry.hpp"
@@ -10,6 +12,7 @@
 #include "measurements/cube_mean.hpp"
 #include "measurements/cube_region.hpp"
 #include "measurements/envi_files.hpp"
+#include "measurements/envi_library.hpp"
 #include "measurements/spectral_cube.hpp"
 #include "measurements/unit_rule.hpp"
 
@@ -48,13 +51,69 @@ std::vector<FileNote> notes_on(const SpectralCube& cube, const RegionChoice& cho
     note("cube", fmt::format("{} x {} pixels, {} of {} bands, {}", cube.samples(), cube.lines(), cube.bands().size(),
                              header.bands, interleave_names[static_cast<std::size_t>(header.interleave)]));
     note("pixels", fmt::to_string(mean.pixels));
-    if (mean.left_out > 0) note("pixels_left_out", fmt::format("{} with missing numbers", mean.left_out));
+    if (mean.incomplete > 0) note("pixels_left_out", fmt::format("{} with missing numbers", mean.incomplete));
+    if (mean.masked > 0) note("pixels_masked", fmt::to_string(mean.masked));
     if (choice.mask) note("mask", choice.mask->string());
     if (const std::optional<Rectangle>& r = choice.rectangle) {
         note("rectangle", fmt::format("{},{},{},{}", r->first_sample, r->first_line, r->samples, r->lines));
     }
     note("wavelength_unit", header.wavelength_rule);
     return notes;
+}
+
+std::optional<ReadingRemark> remark_on_pixels(const CubeMean& mean) {
+    const std::size_t left_out = mean.masked + mean.incomplete;
+    if (left_out == 0) return std::nullopt;
+    std::string why;
+    if (mean.masked > 0) why = fmt::format("{} have no number, or the same one in all bands, such as 0", mean.masked);
+    if (mean.incomplete > 0) {
+        why += fmt::format("{}{} lack a number in some band", why.empty() ? "" : ", ", mean.incomplete);
+    }
+    return ReadingRemark{
+        .doubtful = false,
+        .message = fmt::format("{} of {} pixels are left out: {}", left_out, mean.pixels + left_out, why),
+        .remedy = "none is needed: the mean is that of the others"};
+}
+
+void take_mean(Spectrum& spectrum, const CubeMean& mean, double one) {
+    for (std::size_t i = 0; i < mean.value.size(); ++i) {
+        if (std::isnan(mean.value[i])) continue;
+        spectrum.wavelength_nm[spectrum.value.size()] = spectrum.wavelength_nm[i];
+        spectrum.value.push_back(mean.value[i] / one);
+        if (!mean.sigma.empty()) spectrum.sigma.push_back(mean.sigma[i] / one);
+    }
+    spectrum.missing = mean.value.size() - spectrum.value.size();
+    spectrum.wavelength_nm.resize(spectrum.value.size());
+}
+
+UnitFinding unit_of(const SpectralCube& cube, const std::vector<double>& values) {
+    if (cube.has_stated_unit()) return {.unit = Unit::fraction, .rule = cube.unit_rule()};
+    UnitFinding found = find_unit({.option = {}, .comment = {}, .header = {}}, values);
+    require_no_radiance(cube, found);
+    return found;
+}
+
+Spectrum mean_of(const SpectralCube& cube, const ReadOptions& options) {
+    const CubeMean mean = mean_spectrum(cube, CubeRegion(options.region, cube));
+    Spectrum spectrum = common_spectrum(cube);
+    const std::vector<FileNote> notes = notes_on(cube, options.region, mean);
+    spectrum.notes.insert(spectrum.notes.begin(), notes.begin(), notes.end());
+    if (!mean.sigma.empty()) spectrum.sigma_source = fmt::format("from the scatter of {} pixels", mean.pixels);
+    spectrum.remarks = cube.header().remarks;
+    if (const auto remark = remark_on_pixels(mean)) spectrum.remarks.push_back(*remark);
+
+    std::vector<double> present;
+    std::ranges::copy_if(mean.value, std::back_inserter(present), [](double value) { return !std::isnan(value); });
+    if (present.empty()) {
+        throw InputError({.where = cube.files().data.string(),
+                          .problem = "is 0 in every band",
+                          .why = "no surface reflects nothing",
+                          .remedy = "choose another mask or rectangle"});
+    }
+    const UnitFinding found = unit_of(cube, present);
+    spectrum.unit_rule = found.rule;
+    take_mean(spectrum, mean, found.unit == Unit::percent ? 100 : 1);
+    return spectrum;
 }
 
 }  // namespace
@@ -69,28 +128,26 @@ Spectrum common_spectrum(const SpectralCube& cube) {
     spectrum.source = cube.files().data.string();
     spectrum.instrument = cube.header().sensor_type;
     spectrum.unit_rule = cube.unit_rule();
+    spectrum.quantity = cube.header().quantity;
     spectrum.wavelength_nm = cube.wavelength_nm();
     take_bandpass(spectrum, widths_of(cube));
     return spectrum;
 }
 
-Spectrum read_envi(const std::filesystem::path& path, const ReadOptions& options) {
+std::vector<Spectrum> read_envi_file(const std::filesystem::path& path, const ReadOptions& options) {
     const SpectralCube cube(path, options.unit);
-    const CubeMean mean = mean_spectrum(cube, CubeRegion(options.region, cube));
+    if (!cube.header().spectral_library) return {mean_of(cube, options)};
+    if (options.region.mask || options.region.rectangle) {
+        throw InputError({.where = path.string(),
+                          .problem = "is a spectral library",
+                          .why = "it has no pixels to choose",
+                          .remedy = "leave the mask and the rectangle out"});
+    }
+    return library_spectra(cube);
+}
 
-    Spectrum spectrum = common_spectrum(cube);
-    const std::vector<FileNote> notes = notes_on(cube, options.region, mean);
-    spectrum.notes.insert(spectrum.notes.begin(), notes.begin(), notes.end());
-    if (!mean.sigma.empty()) spectrum.sigma_source = fmt::format("from the scatter of {} pixels", mean.pixels);
-
-    const bool stated = options.unit || cube.header().reflectance_scale_factor;
-    const UnitFinding found = stated ? UnitFinding{.unit = Unit::fraction, .rule = cube.unit_rule()}
-                                     : find_unit({.option = {}, .comment = {}, .header = {}}, mean.value);
-    const double one = found.unit == Unit::percent ? 100 : 1;
-    spectrum.unit_rule = found.rule;
-    for (const double value : mean.value) spectrum.value.push_back(value / one);
-    for (const double sigma : mean.sigma) spectrum.sigma.push_back(sigma / one);
-    return spectrum;
+Spectrum read_envi(const std::filesystem::path& path, const ReadOptions& options) {
+    return mean_of(SpectralCube(path, options.unit), options);
 }
 
 }  // namespace skinfit

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/input_error.hpp"
@@ -28,12 +30,22 @@ double JcampBlock::number(std::string_view label, std::optional<double> otherwis
         refuse_jcamp(source_, line_of("TITLE"), fmt::format("##{}= is missing", label), "the block needs it",
                      "add it, or export the spectrum again");
     }
-    const std::optional<double> number = parse_number(found->value());
+    std::optional<double> number = parse_number(found->value());
+    if (!number) number = parse_number(with_decimal_points(found->value()));
     if (!number || !std::isfinite(*number)) {
         refuse_jcamp(source_, found->line(), fmt::format("##{}= is {}", label, in_quotes(found->value())),
                      "a number is needed", "correct it, or export the spectrum again");
     }
     return *number;
+}
+
+bool JcampBlock::has_decimal_commas() const {
+    static constexpr std::array<std::string_view, 11> numbers = {
+        "FIRSTX", "LASTX", "FIRSTY", "DELTAX", "XFACTOR", "YFACTOR", "MINX", "MAXX", "MINY", "MAXY", "RESOLUTION"};
+    return std::ranges::any_of(numbers, [this](std::string_view label) {
+        const std::string value = text(label);
+        return std::ranges::count(value, ',') == 1 && parse_number(with_decimal_points(value));
+    });
 }
 
 std::size_t JcampBlock::line_of(std::string_view label) const {
@@ -52,6 +64,14 @@ std::string normalised_label(std::string_view label) {
 
 std::string_view without_jcamp_comment(std::string_view line) {
     return trimmed(line.substr(0, line.find("$$")));
+}
+
+std::string with_decimal_points(std::string_view line) {
+    std::string text(line);
+    for (std::size_t i = 1; i + 1 < text.size(); ++i) {
+        if (text[i] == ',' && is_digit(text[i - 1]) && is_digit(text[i + 1])) text[i] = '.';
+    }
+    return text;
 }
 
 std::vector<JcampBlock> jcamp_blocks(std::string_view text, const std::string& source) {
@@ -74,6 +94,7 @@ std::vector<JcampBlock> jcamp_blocks(std::string_view text, const std::string& s
             open.push_back(blocks.size());
             blocks.emplace_back(source);
         }
+        if (open.empty() && label == "END" && !blocks.empty()) continue;  // one more than there are blocks
         if (open.empty()) {
             refuse_jcamp(source, number, "stands outside a block",
                          "a block begins with ##TITLE=", "check that the file is complete");

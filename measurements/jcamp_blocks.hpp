@@ -32,7 +32,9 @@ public:
     [[nodiscard]] const JcampRecord* record(std::string_view label) const;
     /// Its value; empty where there is none.
     [[nodiscard]] std::string text(std::string_view label) const;
-    /// Its value as a finite number; `otherwise`, where given, if there is none.
+    /// True where a record of numbers, such as ##FIRSTX=, is written with a decimal comma.
+    [[nodiscard]] bool has_decimal_commas() const;
+    /// Its value as a finite number, perhaps with a decimal comma; `otherwise`, where given, if there is none.
     [[nodiscard]] double number(std::string_view label, std::optional<double> otherwise = {}) const;
     /// The line of the record, or of ##TITLE where there is none.
     [[nodiscard]] std::size_t line_of(std::string_view label) const;
@@ -49,6 +51,10 @@ private:
 
 /// `line` without what stands after `$$`, trimmed.
 [[nodiscard]] std::string_view without_jcamp_comment(std::string_view line);
+
+/// The line with each comma between two digits as a point: the decimal comma of those who write it. Beside it a comma
+/// with a blank, a semicolon or a blank separates numbers.
+[[nodiscard]] std::string with_decimal_points(std::string_view line);
 
 /// The blocks in the order in which they begin; a LINK block and those inside it are all among them.
 [[nodiscard]] std::vector<JcampBlock> jcamp_blocks(std::string_view text, const std::string& source);

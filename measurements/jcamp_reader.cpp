@@ -3,130 +3,55 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <span>
 
 #include "core/input_error.hpp"
 #include "core/text.hpp"
 #include "measurements/cells.hpp"
 #include "measurements/jcamp_blocks.hpp"
-#include "measurements/jcamp_values.hpp"
+#include "measurements/jcamp_points.hpp"
+#include "measurements/left_out.hpp"
 #include "measurements/limits.hpp"
 #include "measurements/readers.hpp"
 #include "measurements/spectrum_building.hpp"
+#include "measurements/stated_words.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
 namespace {
 
-/// Abscissas in the file's unit and ordinates, both scaled.
-struct Points {
-    std::vector<double> x;
-    std::vector<double> y;
-};
-
-/// Throws InputError where a line does not go on where the one before it ended: its abscissa is off by more than a step
-/// (a line of differences may name the point it repeats) and the rounding of whole numbers.
-void check_abscissa(const JcampBlock& block, const JcampTextLine& line, double found, double expected, double step,
-                    double factor) {
-    if (std::abs(found - expected) <= 1.01 * std::abs(step) + std::abs(factor)) return;
-    refuse_jcamp(block.source(), line.number, fmt::format("starts at {}, not {}", found, expected),
-                 "the points before it are too few or too many", "check that the file is complete and unchanged");
-}
-
-/// `(X++(Y..Y))`: equal steps from FIRSTX to LASTX.
-Points equal_steps(const JcampBlock& block, const JcampRecord& data) {
-    const double first = block.number("FIRSTX");
-    const double last = block.number("LASTX");
-    const double count = block.number("NPOINTS");
-    if (!(count >= 1 && count <= static_cast<double>(most_jcamp_points))) {
-        refuse_jcamp(block.source(), block.line_of("NPOINTS"), fmt::format("##NPOINTS= is {}", count),
-                     fmt::format("1 to {} are read", most_jcamp_points), "correct it, or split the file");
-    }
-    const double x_factor = block.number("XFACTOR", 1.0);
-    const double y_factor = block.number("YFACTOR", 1.0);
-    const double step = count > 1 ? (last - first) / (count - 1) : 0;
-    Points points;
-    bool repeats_last = false;
-    for (const JcampTextLine& line : std::span(data.lines).subspan(1)) {
-        const JcampLine decoded = decode_jcamp_line(line.text, fmt::format("{}:{}", block.source(), line.number));
-        std::span<const double> ordinates = decoded.ordinates;
-        check_abscissa(block, line, decoded.abscissa * x_factor, first + step * static_cast<double>(points.y.size()),
-                       step, x_factor);
-        if (repeats_last && !ordinates.empty()) {
-            if (ordinates.front() * y_factor != points.y.back()) {
-                refuse_jcamp(block.source(), line.number,
-                             fmt::format("its first ordinate is {}, and the line before ended with {}",
-                                         ordinates.front(), points.y.back() / y_factor),
-                             "after a line of differences it repeats that as a check",
-                             "check that the file is complete and unchanged");
-            }
-            ordinates = ordinates.subspan(1);
-        }
-        repeats_last = decoded.ends_in_difference;
-        for (const double ordinate : ordinates) points.y.push_back(ordinate * y_factor);
-        if (static_cast<double>(points.y.size()) > count) break;
-    }
-    if (static_cast<double>(points.y.size()) != count) {
-        refuse_jcamp(block.source(), data.line(),
-                     fmt::format("holds {}{} points", points.y.size(),
-                                 static_cast<double>(points.y.size()) > count ? " or more" : ""),
-                     fmt::format("##NPOINTS= promises {}", count), "check that the file is complete and unchanged");
-    }
-    for (std::size_t i = 0; i < points.y.size(); ++i) {
-        points.x.push_back(count > 1 ? first + (last - first) * static_cast<double>(i) / (count - 1) : first);
-    }
-    return points;
-}
-
-/// `(XY..XY)`: pairs.
-Points pairs(const JcampBlock& block, const JcampRecord& data) {
-    const double x_factor = block.number("XFACTOR", 1.0);
-    const double y_factor = block.number("YFACTOR", 1.0);
-    Points points;
-    for (const JcampTextLine& line : std::span(data.lines).subspan(1)) {
-        const std::vector<double> numbers = decode_affn(line.text, fmt::format("{}:{}", block.source(), line.number));
-        if (numbers.size() % 2 != 0) {
-            refuse_jcamp(block.source(), line.number, fmt::format("has {} numbers", numbers.size()),
-                         "points are pairs of an abscissa and an ordinate",
-                         "check that the file is complete and unchanged");
-        }
-        for (std::size_t i = 0; i < numbers.size(); i += 2) {
-            points.x.push_back(numbers[i] * x_factor);
-            points.y.push_back(numbers[i + 1] * y_factor);
-        }
-        if (points.x.size() <= most_jcamp_points) continue;
-        refuse_jcamp(block.source(), line.number, "has too many points",
-                     fmt::format("at most {} are read from one file", most_jcamp_points), "split the file");
-    }
-    const double count = block.number("NPOINTS", static_cast<double>(points.x.size()));
-    if (count == static_cast<double>(points.x.size())) return points;
-    refuse_jcamp(block.source(), data.line(), fmt::format("holds {} points", points.x.size()),
-                 fmt::format("##NPOINTS= promises {}", count), "check that the file is complete and unchanged");
-}
-
 /// The wavelengths that abscissas in XUNITS stand for.
 std::vector<double> wavelengths(const JcampBlock& block, std::vector<double> x) {
-    const std::string unit = normalised_label(block.text("XUNITS"));
-    if (unit == "NANOMETERS" || unit == "NANOMETRES" || unit == "NM") return x;
-    const bool micrometres = unit == "MICROMETERS" || unit == "MICROMETRES" || unit == "UM" || unit == "MICRONS";
-    const bool wavenumbers = unit == "1CM" || unit == "CM1" || unit == "CM^1";
-    if (!micrometres && !wavenumbers) {
+    const std::optional<AbscissaUnit> unit = abscissa_unit(block.text("XUNITS"));
+    if (!unit) {
         refuse_jcamp(block.source(), block.line_of("XUNITS"),
                      fmt::format("##XUNITS= is {}", in_quotes(block.text("XUNITS"))),
-                     "it must be NANOMETERS, MICROMETERS or 1/CM", "correct it, or export the spectrum again");
+                     "it must be a unit of wavelengths such as NANOMETERS or MICROMETERS, 1/CM, or a unit of frequency",
+                     "correct it, or export the spectrum again");
     }
-    for (double& value : x) value = micrometres ? value * 1000 : 1e7 / value;
+    for (double& value : x) value = unit->wavelength_nm(value);
     return x;
 }
 
 Quantity quantity_of(const JcampBlock& block) {
-    const std::string unit = lower_case(block.text("YUNITS"));
-    if (const auto named = quantity_named(unit)) return *named;
-    if (unit == "%r" || unit == "r") return Quantity::reflectance;
-    if (unit == "%t" || unit == "t") return Quantity::transmittance;
-    refuse_jcamp(
-        block.source(), block.line_of("YUNITS"), fmt::format("##YUNITS= is {}", in_quotes(block.text("YUNITS"))),
-        "only REFLECTANCE and TRANSMITTANCE are spectra that can be used", "export the spectrum again as one of these");
+    const std::string unit = block.text("YUNITS");
+    if (const std::optional<std::string> other = unusable_quantity(unit)) {
+        refuse_jcamp(block.source(), block.line_of("YUNITS"), fmt::format("##YUNITS= is {}", in_quotes(unit)),
+                     "only REFLECTANCE and TRANSMITTANCE are spectra that can be used", remedy_for(*other));
+    }
+    if (const auto named = quantity_in_title(unit)) return *named;
+    refuse_jcamp(block.source(), block.line_of("YUNITS"), fmt::format("##YUNITS= is {}", in_quotes(unit)),
+                 "only REFLECTANCE and TRANSMITTANCE are spectra that can be used",
+                 "export the spectrum again as one of these, or set ##YUNITS= REFLECTANCE if that is what it holds");
+}
+
+void refuse_other_data(const JcampBlock& block) {
+    const std::string type = lower_case(block.text("DATATYPE"));
+    for (const std::string_view other : {"raman", "mass", "nmr", "interferogram", "peak", "fluoresc", "chromatogram"}) {
+        if (type.find(other) == std::string::npos) continue;
+        refuse_jcamp(block.source(), block.line_of("DATATYPE"),
+                     fmt::format("##DATA TYPE= is {}", in_quotes(block.text("DATATYPE"))),
+                     "it is no spectrum of reflectance or transmittance", "export the spectrum again, or correct it");
+    }
 }
 
 Spectrum spectrum_of(const JcampBlock& block, const JcampRecord& data, const ReadOptions& options) {
@@ -135,6 +60,7 @@ Spectrum spectrum_of(const JcampBlock& block, const JcampRecord& data, const Rea
         refuse_jcamp(block.source(), data.line(), fmt::format("has the form {}", in_quotes(data.value())),
                      "only (X++(Y..Y)) and (XY..XY) are read", "export the spectrum again in one of these");
     }
+    refuse_other_data(block);
     Spectrum spectrum;
     spectrum.name = block.text("TITLE");
     if (spectrum.name.empty()) spectrum.name = fmt::format("line {}", data.line());
@@ -142,7 +68,11 @@ Spectrum spectrum_of(const JcampBlock& block, const JcampRecord& data, const Rea
     spectrum.line = data.line();
     spectrum.quantity = quantity_of(block);
     spectrum.instrument = block.text("SPECTROMETERDATASYSTEM");
-    const Points points = form == "(XY..XY)" ? pairs(block, data) : equal_steps(block, data);
+    const StatedGeometry geometry = geometry_in_title(block.text("SAMPLINGPROCEDURE"));
+    spectrum.geometry = {.incidence_deg = geometry.incidence_deg, .specular = geometry.specular};
+    if (!geometry.specular) spectrum.geometry.specular = specular_in_title(spectrum.name);
+    JcampPoints points = jcamp_points(block, data, form == "(XY..XY)");
+    spectrum.remarks = std::move(points.remarks);
     if (std::ranges::any_of(points.y, [](double y) { return std::isinf(y); })) {
         refuse_jcamp(block.source(), data.line(), "holds a number that is too large", "it exceeds double precision",
                      "correct it or ##YFACTOR=");
@@ -156,6 +86,12 @@ Spectrum spectrum_of(const JcampBlock& block, const JcampRecord& data, const Rea
     take_readings(spectrum, grid, {.value = points.y},
                   {.option = options.unit, .comment = std::nullopt, .header = header});
     return spectrum;
+}
+
+/// The points that equal steps promise: a few bytes may decode to very many.
+std::size_t promised_points(const JcampBlock& block) {
+    const double count = parse_number(block.text("NPOINTS")).value_or(0);
+    return count > 0 ? static_cast<std::size_t>(std::min(count, static_cast<double>(most_jcamp_points))) : 0;
 }
 
 }  // namespace
@@ -174,19 +110,22 @@ std::vector<Spectrum> read_jcamp_dx(std::string_view text, const std::string& so
     refuse_large_text(text, source);
     refuse_binary(text, source);
     std::vector<Spectrum> spectra;
+    LeftOut left_out;
     std::size_t points = 0;
     for (const JcampBlock& block : jcamp_blocks(text, source)) {
         for (const std::string_view label : {"XYDATA", "XYPOINTS"}) {
             const JcampRecord* const data = block.record(label);
             if (data == nullptr) continue;
-            spectra.push_back(spectrum_of(block, *data, options));
-            points += spectra.back().value.size();
-            if (spectra.back().value.empty()) spectra.pop_back();
-            if (points <= most_jcamp_points) continue;
-            refuse_jcamp(source, data->line(), "has too many points",
-                         fmt::format("at most {} are read from one file", most_jcamp_points), "split the file");
+            points += promised_points(block);
+            if (points > most_jcamp_points) {
+                refuse_jcamp(source, data->line(), "has too many points",
+                             fmt::format("at most {} are read from one file", most_jcamp_points), "split the file");
+            }
+            left_out.or_keep_error([&] { spectra.push_back(spectrum_of(block, *data, options)); });
+            if (!spectra.empty() && spectra.back().value.empty()) spectra.pop_back();
         }
     }
+    left_out.tell(spectra);
     if (spectra.empty()) {
         throw InputError({.where = source,
                           .problem = "holds no spectra",

@@ -236,7 +236,12 @@ Spectrum spectrum_of(const Object& object, const std::string& source, const std:
 
 bool holds_json(std::string_view text) {
     const std::string_view content = trimmed(text);
-    return content.starts_with('{') || content.starts_with('[');
+    if (content.starts_with('{')) return true;
+    if (!content.starts_with('[')) return false;
+    // A title in brackets, as [Measurement], is no list.
+    const std::string_view first = trimmed(content.substr(1));
+    return first.empty() || std::string_view("{[]\"-0123456789").find(first.front()) != std::string_view::npos ||
+           first.starts_with("null") || first.starts_with("true") || first.starts_with("false");
 }
 
 std::vector<Spectrum> read_json(std::string_view text, const std::string& source, const ReadOptions& options) {

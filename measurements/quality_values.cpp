@@ -24,6 +24,27 @@ std::size_t brightest(const Spectrum& spectrum) {
     return static_cast<std::size_t>(std::ranges::max_element(spectrum.value) - spectrum.value.begin());
 }
 
+/// The texts that `member` is in the remarks that are `doubtful` or not, each once.
+std::string joined(const Spectrum& spectrum, bool doubtful, std::string ReadingRemark::*member) {
+    std::vector<std::string_view> texts;
+    std::string all;
+    for (const ReadingRemark& remark : spectrum.remarks) {
+        const std::string& text = remark.*member;
+        if (remark.doubtful != doubtful || std::ranges::find(texts, text) != texts.end()) continue;
+        texts.push_back(text);
+        all += all.empty() ? text : "; " + text;
+    }
+    return all;
+}
+
+/// The finding `found` with what the remarks say; nothing where there are none.
+std::optional<Finding> told(const Spectrum& spectrum, bool doubtful, Finding found) {
+    found.spectrum = spectrum.name;
+    found.message = joined(spectrum, doubtful, &ReadingRemark::message);
+    found.remedy = joined(spectrum, doubtful, &ReadingRemark::remedy);
+    return found.message.empty() ? std::nullopt : std::optional(found);
+}
+
 }  // namespace
 
 std::optional<Finding> unit_conflict(const Spectrum& spectrum) {
@@ -124,6 +145,15 @@ std::optional<Finding> outside_tables(const Spectrum& spectrum, const ModelledRa
                                spectrum.wavelength_nm.back(), modelled.lowest_nm, modelled.highest_nm),
         .remedy = inside > 0 ? "none is needed: a fit leaves them out"
                              : "measure within the tables, and check that wavelengths are in nm"};
+}
+
+std::optional<Finding> doubtful_file(const Spectrum& spectrum) {
+    return told(spectrum, true, {.name = "doubtful_file", .spectrum = {}, .message = {}, .remedy = {}});
+}
+
+std::optional<Finding> not_used(const Spectrum& spectrum) {
+    return told(spectrum, false,
+                {.name = "not_used", .severity = Severity::note, .spectrum = {}, .message = {}, .remedy = {}});
 }
 
 }  // namespace skinfit

@@ -32,20 +32,31 @@ namespace skinfit {
                                                      const ReadOptions& options);
 
 /// CGATS.17 tables, such as Argyll's `.ti3` and `.sp` (Argyll CMS, "File formats"): keywords, fields between
-/// BEGIN_DATA_FORMAT and END_DATA_FORMAT, sets between BEGIN_DATA and END_DATA. The spectrum of a set is in the fields
-/// called SPEC_360, NM_360, nm360 or SPECTRAL_NM360; 0 stands for a missing value. Sets are called by SAMPLE_NAME, else
-/// by SAMPLE_ID. All sets of a table have one unit.
+/// BEGIN_DATA_FORMAT and END_DATA_FORMAT, sets between BEGIN_DATA and END_DATA (`cgats_tables`). `cgats_bands` says
+/// which fields are a spectrum; 0 stands for a missing value. Sets are called by SAMPLE_NAME, else by SAMPLE_ID. All
+/// sets of a table have one unit: percent or fraction by the names of the fields, else readings are divided by
+/// SPECTRAL_NORM. Keywords and labels state quantity, geometry and instrument (`cgats_statements`). A set that cannot
+/// be used is left out with a remark where there are others.
 [[nodiscard]] bool holds_cgats(std::string_view text);
 [[nodiscard]] std::vector<Spectrum> read_cgats(std::string_view text, const std::string& source,
                                                const ReadOptions& options);
 
 /// JCAMP-DX (McDonald and Wilks 1988, Appl. Spectrosc. 42, 151): labelled records `##LABEL= value` in blocks from
 /// ##TITLE to ##END, which LINK blocks may hold several of; `$$` starts a comment. Read are XYDATA=(X++(Y..Y)), in all
-/// the forms that `decode_jcamp_line` states and with their checks, and XYPOINTS or XYDATA=(XY..XY). XUNITS are
-/// NANOMETERS, MICROMETERS or 1/CM, YUNITS REFLECTANCE or TRANSMITTANCE, with `%` where they are percent.
+/// the forms that `decode_jcamp_line` states and with the checks of `jcamp_points`, and XYPOINTS or XYDATA=(XY..XY);
+/// what stands in XYDATA decides. XUNITS are a unit of length, of frequency or 1/CM; YUNITS REFLECTANCE or
+/// TRANSMITTANCE in some words, with `%` where they are percent. Blocks that cannot be used, as those of COUNTS, are
+/// left out with a remark where there are others.
 [[nodiscard]] bool holds_jcamp_dx(std::string_view text);
 [[nodiscard]] std::vector<Spectrum> read_jcamp_dx(std::string_view text, const std::string& source,
                                                   const ReadOptions& options);
+
+/// QTX, as Datacolor and other colour software exchange: sections [STANDARD_DATA n] and [BATCH_DATA n] with the
+/// readings in percent, STD_R= or BAT_R=, every REFLINTERVAL from REFLLOW nm, as many as REFLPOINTS; NAME, VIEWING (SCI
+/// or SCE). A section that cannot be used is left out with a remark where there are others.
+[[nodiscard]] bool holds_qtx(std::string_view text);
+[[nodiscard]] std::vector<Spectrum> read_qtx(std::string_view text, const std::string& source,
+                                             const ReadOptions& options);
 
 /// JSON: a spectrum, a list of them, or `{"spectra": [...]}` as `spectra_json` writes. A spectrum is an object of
 /// `value` (or `values`), null where one is missing, and of `wavelength_nm` or `start` and `step` in nm; beside them

@@ -25,6 +25,13 @@ struct FileNote {
     std::string value;
 };
 
+/// What a reader has to say about a spectrum: what of its file was not used, or contradicts itself.
+struct ReadingRemark {
+    bool doubtful;  ///< the values may be wrong; else they are as good as without it
+    std::string message;
+    std::string remedy;
+};
+
 /// How an instrument weights the wavelengths about the one it reports.
 enum class BandpassShape { triangular, gaussian, rectangular };
 inline constexpr std::array<std::string_view, 3> bandpass_shape_names = {"triangular", "gaussian", "rectangular"};
@@ -53,8 +60,9 @@ struct Spectrum {
     std::string site{};                          ///< of the body, as its file names it
     std::optional<double> aperture_mm{};         ///< diameter, above 0
     std::optional<Bandpass> bandpass{};
-    std::size_t missing = 0;  ///< wavelengths of the file without a value; they are left out above
-    std::size_t line = 0;     ///< where it stands in its file: its own line or the header, from 1; 0 where neither is
+    std::size_t missing = 0;               ///< wavelengths of the file without a value; they are left out above
+    std::vector<ReadingRemark> remarks{};  ///< of its reader
+    std::size_t line = 0;  ///< where it stands in its file: its own line or the header, from 1; 0 where neither is
 };
 
 }  // namespace skinfit

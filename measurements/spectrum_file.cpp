@@ -28,6 +28,7 @@ struct Reader {
 
 /// The last takes whatever the others leave, and says what is wrong with it.
 constexpr std::array readers{
+    Reader{.name = "qtx", .recognises = holds_qtx, .read = read_qtx},
     Reader{.name = "json", .recognises = holds_json, .read = read_json},
     Reader{.name = "jcamp_dx", .recognises = holds_jcamp_dx, .read = read_jcamp_dx},
     Reader{.name = "cgats", .recognises = holds_cgats, .read = read_cgats},
@@ -140,7 +141,7 @@ SpectrumFile read_spectra(const std::filesystem::path& path, const ReadOptions& 
                           const std::optional<std::string>& reader) {
     if (!is_cube(path, reader)) return parse_spectra(read_spectrum_text(path), path.string(), options, reader);
     SpectrumFile file{
-        .source = path.string(), .format = std::string(envi_reader_name), .spectra = {read_envi(path, options)}};
+        .source = path.string(), .format = std::string(envi_reader_name), .spectra = read_envi_file(path, options)};
     if (options.column) file.spectra = {choose_spectrum(std::move(file.spectra), file.source, *options.column)};
     return with_printable_words(std::move(file));
 }

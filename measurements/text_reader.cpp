@@ -91,6 +91,7 @@ Spectrum read_spectrum(const std::filesystem::path& path, const ReadOptions& opt
                        const std::optional<std::string>& reader) {
     if (!is_cube(path, reader)) return parse_spectrum(read_spectrum_text(path), path.string(), options, reader);
     SpectrumFile file = read_spectra(path, options, reader);
+    if (file.spectra.size() > 1) refuse_choice(file, {});
     check_values(file, {}, options);
     return std::move(file.spectra.front());
 }

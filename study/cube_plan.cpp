@@ -35,6 +35,21 @@ std::string hash_of(const StudyCube& cube, const SpectralCube& opened) {
     return content_hash(text);
 }
 
+/// Throws InputError where there is no picture, or every pixel would be in doubt.
+void require_picture(const EnviHeader& header) {
+    if (header.spectral_library) {
+        throw InputError({.where = header.source,
+                          .problem = "is a spectral library",
+                          .why = "it has no pixels to make a map of",
+                          .remedy = "list it among the spectra of the study"});
+    }
+    for (const ReadingRemark& remark : header.remarks) {
+        if (!remark.doubtful) continue;
+        throw InputError(
+            {.where = header.source, .problem = "gives no map", .why = remark.message, .remedy = remark.remedy});
+    }
+}
+
 }  // namespace
 
 std::string map_name(const std::string& source) {
@@ -50,6 +65,7 @@ CubeEntry planned(const StudyCube& cube) {
     entry.metadata = cube.metadata;
     try {
         const SpectralCube opened(cube.path, cube.unit);
+        require_picture(opened.header());
         const CubeRegion region(cube.region, opened);
         entry.input_hash = hash_of(cube, opened);
         entry.samples = opened.samples();

@@ -7,8 +7,8 @@
 namespace skinfit {
 
 /// How a cube is fitted. Its input hash is that of its header, its region, and of the size and the time of the last
-/// change of its data and mask: gigabytes are not read to see whether they are the same. What cannot be read becomes an
-/// entry with a problem and without tiles.
+/// change of its data and mask: gigabytes are not read to see whether they are the same. What cannot be read, is a
+/// spectral library or is in doubt by the remarks on its header becomes an entry with a problem and without tiles.
 [[nodiscard]] CubeEntry planned(const StudyCube& cube);
 
 /// The file of the map of a cube, in the study's folder of maps: its source, in which folders become underscores.

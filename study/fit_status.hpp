@@ -13,7 +13,7 @@ enum class FitStatus : std::uint8_t {
     suspect,   ///< with an answer and reasons to doubt it
     rejected,  ///< not fitted: a quality finding says that no fit could be trusted
     failed,    ///< without an answer: unreadable, or the fit did not converge
-    masked,    ///< not to be fitted: a pixel outside the mask or the rectangle
+    masked,    ///< not to be fitted: a pixel outside the mask or the rectangle, or masked in the cube itself
 };
 inline constexpr std::array<std::string_view, 6> fit_status_names = {"pending",  "fitted", "suspect",
                                                                      "rejected", "failed", "masked"};

@@ -20,6 +20,13 @@ std::string numbered(std::span<const std::string_view> names) {
     return text;
 }
 
+/// What the header of the cube states and is not used.
+std::string not_used_of(const EnviHeader& header) {
+    std::string text;
+    for (const ReadingRemark& remark : header.remarks) text += "; " + remark.message;
+    return text;
+}
+
 }  // namespace
 
 EnviOutput map_output(const FitProblem& problem, const SpectralCube& cube, const std::string& configuration_hash) {
@@ -28,9 +35,9 @@ EnviOutput map_output(const FitProblem& problem, const SpectralCube& cube, const
             .band_names = map_planes(problem),
             .description = fmt::format(
                 "skinfit {}; cube {}; configuration {}; status: {}; reason: {}; sigma: 1 standard deviation, nan at a "
-                "bound and where not identifiable",
+                "bound and where not identifiable{}",
                 version, cube.files().data.string(), configuration_hash, numbered(fit_status_names),
-                numbered(pixel_reason_names)),
+                numbered(pixel_reason_names), not_used_of(cube.header())),
             .place = cube.header().place};
 }
 

@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 
@@ -58,7 +59,9 @@ MapTile fit_tile(const PixelFitter& fitter, const SpectralCube& cube, const Cube
         float* const to = &numbers[pixel / samples * planes * samples + pixel % samples];
         to[status_plane * samples] = static_cast<float>(FitStatus::masked);
         if (!chosen[pixel]) return;
-        const PixelFit fit = fitter.fit(std::span(fractions).subspan(pixel * bands, bands));
+        const std::span<const double> values = std::span(fractions).subspan(pixel * bands, bands);
+        if (std::ranges::all_of(values, [](double value) { return std::isnan(value); })) return;
+        const PixelFit fit = fitter.fit(values);
         const std::vector<float> pixel_numbers = numbers_of(fit);
         for (std::size_t plane = 0; plane < planes; ++plane) to[plane * samples] = pixel_numbers[plane];
         statuses[pixel] = fit.status;

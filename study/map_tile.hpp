@@ -21,7 +21,8 @@ namespace skinfit {
 /// map.
 struct MapTile {
     /// For each line, for each plane, a 32-bit floating point number for each pixel, in the machine's byte order; NaN
-    /// where there is none. Of a pixel that is masked, only the status is a number.
+    /// where there is none. Of a pixel that is masked, which those without any number in the cube are too, only the
+    /// status is a number.
     std::string bytes;
     std::array<std::uint64_t, fit_status_names.size()> pixels{};  ///< with each status
 };

@@ -60,11 +60,11 @@ BulkFitter fitter_of(const FitProblem& problem, const DiskCache& cache) {
     return {problem, std::get<Emulator>(models.front()), pixel_options};
 }
 
-/// Every check of a spectrum by itself can reject a pixel under its own name, but for that of repeats: pixels have
-/// none.
+/// Every check of a spectrum by itself can reject a pixel under its own name, but for those of repeats and of the
+/// reader's remarks: pixels have none.
 static_assert(std::ranges::all_of(spectrum_checks, [](const SpectrumCheck& each) {
     return (std::ranges::find(pixel_reason_names, each.name) == pixel_reason_names.end()) ==
-           (each.name == "noise_against_repeats");
+           (each.name == "noise_against_repeats" || each.name == "doubtful_file" || each.name == "not_used");
 }));
 
 PixelReason reason_named(const std::string& finding) {

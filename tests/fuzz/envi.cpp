@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string_view>
+#include <vector>
 
 #include "core/input_error.hpp"
 #include "measurements/envi_reader.hpp"
@@ -28,7 +29,7 @@ void write(const std::filesystem::path& path, std::string_view bytes) {
 
 }  // namespace
 
-/// Reads the bytes as a cube: its header up to the first byte 0, then its data.
+/// Reads the bytes as a cube or library: its header up to the first byte 0, then its data.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const Folder folder;
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
@@ -36,8 +37,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     write(folder.path / "a.hdr", bytes.substr(0, end));
     write(folder.path / "a.dat", end == std::string_view::npos ? "" : bytes.substr(end + 1));
     try {
-        const skinfit::Spectrum spectrum = skinfit::read_envi(folder.path / "a.hdr");
-        if (spectrum.value.empty() || spectrum.value.size() != spectrum.wavelength_nm.size()) std::abort();
+        const std::vector<skinfit::Spectrum> spectra = skinfit::read_envi_file(folder.path / "a.hdr");
+        if (spectra.empty()) std::abort();
+        for (const skinfit::Spectrum& spectrum : spectra) {
+            if (spectrum.value.empty() || spectrum.value.size() != spectrum.wavelength_nm.size()) std::abort();
+        }
     } catch (const skinfit::InputError&) {
     }
     return 0;

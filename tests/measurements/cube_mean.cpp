@@ -137,7 +137,7 @@ TEST_F(CubeMeans, LeaveOutPixelsWithAMissingNumberAndCountThem) {
     std::erase(all, std::pair<std::size_t, std::size_t>{0, 1});  // whose second band is 22
     const CubeMean read = mean(made);
     expect_mean(read, made, all);
-    EXPECT_EQ(read.left_out, 1U);
+    EXPECT_EQ(read.incomplete, 1U);
 }
 
 TEST_F(CubeMeans, AreRefusedWhereNoPixelIsComplete) {
@@ -150,7 +150,8 @@ TEST_F(CubeMeans, AreRefusedWhereNoPixelIsComplete) {
         EXPECT_EQ(std::string(error.what()),
                   in_folder("cube.dat").string() +
                       ": the region holds no complete pixel (pixels chosen: 1; each lacks a number in some good "
-                      "band); choose another mask or rectangle, or mark the bands without data as bad in \"bbl\"");
+                      "band, or is one and the same number in all); choose another mask or rectangle, or mark the "
+                      "bands without data as bad in \"bbl\"");
     }
 }
 

@@ -67,19 +67,17 @@ TEST(FormatRefusals, OfCgats) {
         {begin + "BEGIN_DATA\na 10 20\n",
          "f: ends inside its data (END_DATA is missing); check that the file is complete"},
         {begin + "BEGIN_DATA\na 10 20\nb 10\nEND_DATA\n",
-         "f:7: the last set has 2 values (the format names 3 fields); check that the file is complete"},
+         "f:7: has 2 words for 3 fields (every set has a value for each field); check that the file is complete"},
         {begin + "NUMBER_OF_SETS 3\nBEGIN_DATA\na 10 20\nEND_DATA\n",
          "f: holds 1 sets (NUMBER_OF_SETS promises 3); check that the file is complete"},
         {begin + "BEGIN_DATA\na 10 x\nEND_DATA\n",
          "f:6: holds \"x\" as SPEC_410 (a number is needed); correct the value, or write 0 for one that is missing"},
         {"CTI3\nBEGIN_DATA_FORMAT\nRGB_R\nEND_DATA_FORMAT\nBEGIN_DATA\n1\nEND_DATA\n",
-         "f: holds no spectra (no table has fields such as SPEC_360 with numbers in them; it may hold colours only); "
-         "export "
-         "the measurement with its spectral values"},
+         "f: holds no spectra (no table has fields such as SPEC_360, or pairs of SPECTRAL_NM and SPECTRAL_PCT, with "
+         "numbers in them; it has RGB_R); export the measurement with its spectral values"},
         {begin + "BEGIN_DATA\na 0 0\nEND_DATA\n",
-         "f: holds no spectra (no table has fields such as SPEC_360 with numbers in them; it may hold colours only); "
-         "export "
-         "the measurement with its spectral values"},
+         "f: holds no spectra (no table has fields such as SPEC_360, or pairs of SPECTRAL_NM and SPECTRAL_PCT, with "
+         "numbers in them; it has SAMPLE_ID, SPEC_400, SPEC_410); export the measurement with its spectral values"},
     });
 }
 
@@ -107,13 +105,12 @@ TEST(FormatRefusals, OfJcampDx) {
         {head + "##XYPOINTS= (XY..XY)\n400 0.1 410\n##END=\n",
          "f:5: has 3 numbers (points are pairs of an abscissa and an ordinate); " + unchanged},
         {"##TITLE= a\n##XUNITS= SECONDS\n##YUNITS= REFLECTANCE\n##XYPOINTS= (XY..XY)\n400 0.1\n##END=\n",
-         "f:2: ##XUNITS= is \"SECONDS\" (it must be NANOMETERS, MICROMETERS or 1/CM); correct it, or export the "
-         "spectrum "
-         "again"},
+         "f:2: ##XUNITS= is \"SECONDS\" (it must be a unit of wavelengths such as NANOMETERS or MICROMETERS, 1/CM, or "
+         "a "
+         "unit of frequency); correct it, or export the spectrum again"},
         {"##TITLE= a\n##XUNITS= NANOMETERS\n##YUNITS= ABSORBANCE\n##XYPOINTS= (XY..XY)\n400 0.1\n##END=\n",
          "f:3: ##YUNITS= is \"ABSORBANCE\" (only REFLECTANCE and TRANSMITTANCE are spectra that can be used); export "
-         "the "
-         "spectrum again as one of these"},
+         "reflectance or transmittance; an absorbance A is a share of light 10^-A"},
     });
 }
 

@@ -61,16 +61,22 @@ TEST(EnviHeaderRefusals, GiveTheseMessages) {
          R"(a.hdr:8: "file compression" is "1" (only plain data without gaps are read); )" + mend},
         {"ENVI\n" + sizes + layout + "major frame offsets = {0, 16}\n",
          R"(a.hdr:8: "major frame offsets" is "0, 16" (only plain data without gaps are read); )" + mend},
+        {"ENVI\n" + sizes + layout + "file type = ENVI Virtual Mosaic\n",
+         R"(a.hdr:8: "file type" is "ENVI Virtual Mosaic" (only the plain data of ENVI Standard and ENVI Spectral )"
+         "Library are read); " +
+             mend},
         {"ENVI\n" + sizes + layout + "file type = ENVI Spectral Library\n",
-         R"(a.hdr:8: "file type" is "ENVI Spectral Library" (a cube is needed); )" + mend},
+         R"(a.hdr:4: "bands" is "3" (it must be a whole number from 1 to 1); )" + mend},
         {"ENVI\n" + sizes + layout + "wavelength = {400, 500,\n 600",
          "a.hdr:8: \"wavelength\" opens a brace (no later line closes it); check that the header is complete"},
         {"ENVI\n" + sizes + layout + "wavelength = {400, 500}\n",
          "a.hdr:8: \"wavelength\" has 2 numbers (the cube has 3 bands); give one number per band"},
         {"ENVI\n" + sizes + layout + "wavelength = {400,\n5OO, 600}\n",
          R"(a.hdr:8: number 2 of "wavelength" is "5OO" (a number is needed for every band); correct it)"},
-        {"ENVI\n" + sizes + layout + "wavelength units = Wavenumber\nwavelength = {400, 500, 600}\n",
-         R"(a.hdr:8: "wavelength units" is "Wavenumber" (it must be nanometers or micrometers); )" + mend},
+        {"ENVI\n" + sizes + layout + "wavelength units = Index\nwavelength = {400, 500, 600}\n",
+         R"(a.hdr:8: "wavelength units" is "Index" (it must be a unit of length such as nanometers, of frequency, or )"
+         "wavenumber); " +
+             mend},
         {"ENVI\n" + sizes + layout + "bbl = {1}\n",
          "a.hdr:8: \"bbl\" has 1 number (the cube has 3 bands); give one number per band"},
         {"ENVI\n" + sizes + layout + "reflectance scale factor = 0\n",

@@ -1,0 +1,131 @@
+#include "measurements/envi_scale.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/text.hpp"
+#include "measurements/stated_words.hpp"
+#include "measurements/words.hpp"
+
+namespace skinfit {
+namespace {
+
+/// A number for every band: as given, or one for all.
+std::vector<double> per_band(const EnviFields& fields, const std::string& key, std::uint64_t bands) {
+    const std::optional<EnviField> field = fields.find(key);
+    if (field && parse_number(field->value)) {
+        const double same = *fields.number(key);
+        if (!std::isfinite(same)) fields.refuse(key, *field, "it must be finite");
+        return std::vector<double>(bands, same);
+    }
+    return fields.numbers(key, bands);
+}
+
+/// By the documentation of ENVI, gains and offsets of reflectance go before those of radiance.
+void read_gains(const EnviFields& fields, EnviHeader& header) {
+    const bool of_reflectance =
+        fields.find("data reflectance gain values") || fields.find("data reflectance offset values");
+    const std::string kind = of_reflectance ? "data reflectance " : "data ";
+    header.gain = per_band(fields, kind + "gain values", header.bands);
+    header.data_offset = per_band(fields, kind + "offset values", header.bands);
+    const auto zero = std::ranges::find(header.gain, 0.0);
+    if (zero != header.gain.end()) {
+        fields.refuse(kind + "gain values", fields.get(kind + "gain values"), "a gain of 0 leaves nothing of a band");
+    }
+    if (!of_reflectance) return;
+    for (const std::string key : {"data gain values", "data offset values"}) {
+        if (!fields.find(key)) continue;
+        header.remarks.push_back({.doubtful = false,
+                                  .message = fmt::format("\"{}\" of the header is not used: there are \"data "
+                                                         "reflectance gain values\" or offsets",
+                                                         key),
+                                  .remedy = "none is needed"});
+    }
+}
+
+void read_scale_factor(const EnviFields& fields, EnviHeader& header) {
+    header.reflectance_scale_factor = fields.number("reflectance scale factor");
+    if (!header.reflectance_scale_factor) return;
+    const double one = *header.reflectance_scale_factor;
+    const EnviField field = fields.get("reflectance scale factor");
+    if (!(one > 0 && std::isfinite(one))) fields.refuse("reflectance scale factor", field, "it must be above 0");
+    constexpr double rounding = 1e-6;  // of factors as headers print them
+    const auto undoes = [one](double gain) { return std::abs(gain * one - 1) <= rounding; };
+    if (one != 1 && !header.gain.empty() && std::ranges::all_of(header.gain, undoes)) {
+        fields.refuse("reflectance scale factor", field,
+                      "the gains make the same conversion, and whether both are to be applied is not known");
+    }
+}
+
+void read_quantity(const EnviFields& fields, EnviHeader& header) {
+    struct Place {
+        std::string key;
+        bool in_prose;
+    };
+    for (const Place& place : {Place{"data units", false}, Place{"z plot titles", false}, Place{"units", false},
+                               Place{"measurement type", false}, Place{"quantity", false}, Place{"product type", true},
+                               Place{"description", true}}) {
+        const std::optional<EnviField> field = fields.find(place.key);
+        if (!field) continue;
+        std::string_view text = field->value;
+        // The first of two titles is that of the wavelengths.
+        if (place.key == "z plot titles" && text.find(',') != std::string_view::npos) {
+            text = text.substr(text.find(',') + 1);
+        }
+        const auto other = place.in_prose ? unusable_quantity_in_prose(text) : unusable_quantity(text);
+        if (other && !header.other_quantity) {
+            header.other_quantity = {.line = field->line,
+                                     .key = place.key,
+                                     .value = std::string(field->value),
+                                     .word = *other,
+                                     .in_prose = place.in_prose};
+        }
+        if (!header.quantity) header.quantity = quantity_in_title(text);
+        header.percent = header.percent || (!place.in_prose && says_percent(text));
+    }
+}
+
+/// Keys with words of a conversion that are not among those read.
+void remark_on_unread(const EnviFields& fields, EnviHeader& header) {
+    static constexpr std::array<std::string_view, 13> read = {"header offset",
+                                                              "x start",
+                                                              "data gain values",
+                                                              "data offset values",
+                                                              "data ignore value",
+                                                              "data units",
+                                                              "wavelength units",
+                                                              "data reflectance gain values",
+                                                              "reflectance scale factor",
+                                                              "units",
+                                                              "z plot titles",
+                                                              "data reflectance offset values",
+                                                              "default stretch"};
+    static constexpr std::array<std::string_view, 10> words = {
+        "scale", "gain", "offset", "factor", "unit", "calibration", "multipl", "divisor", "nodata", "no data"};
+    for (const auto& [key, field] : fields.all()) {
+        const bool converts =
+            std::ranges::any_of(words, [&key](std::string_view word) { return key.find(word) != std::string::npos; });
+        if (!converts || std::ranges::find(read, key) != read.end() || field.value.empty()) continue;
+        if (key.find("map") != std::string::npos || key.find("geo") != std::string::npos) continue;
+        header.remarks.push_back(
+            {.doubtful = key.find("scale") != std::string::npos && parse_number(field.value).value_or(0) != 1.0,
+             .message = fmt::format("line {} of the header, {} = {}, is not understood and not applied", field.line,
+                                    in_quotes(key), in_quotes(field.value)),
+             .remedy = "if it changes the values, state it as \"data gain values\", \"data offset values\", "
+                       "\"reflectance scale factor\" or \"data ignore value\"; else delete it"});
+    }
+}
+
+}  // namespace
+
+void read_envi_scale(const EnviFields& fields, EnviHeader& header) {
+    read_gains(fields, header);
+    read_scale_factor(fields, header);
+    read_quantity(fields, header);
+    remark_on_unread(fields, header);
+}
+
+}  // namespace skinfit
