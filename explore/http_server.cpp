@@ -26,7 +26,8 @@ constexpr std::size_t most_pending = 96;  // chosen: who comes later waits to be
 constexpr milliseconds byte_patience{5000};
 constexpr milliseconds request_patience{2000};
 constexpr milliseconds patience_in_demand{50};
-constexpr milliseconds glance{20};  // how often a worker that waits looks whether others do
+constexpr int send_buffer_bytes = 1 << 17;  // chosen: of an answer that is not taken, no more waits in the system
+constexpr milliseconds glance{20};          // how often a worker that waits looks whether others do
 
 class BoundedPool : public httplib::ThreadPool {
 public:
@@ -62,8 +63,9 @@ class SocketStream : public httplib::Stream {
 public:
     SocketStream(int socket, const Demand& demand) : socket_(socket), demand_(&demand) {}
 
-    /// Waits for the next request.
+    /// Waits for the next request; none comes after an answer that could not be sent.
     [[nodiscard]] bool has_request() {
+        if (failed_) return false;
         begin_waiting(false);
         const bool has = has_buffered() || comes(POLLIN, request_patience);
         begin_waiting(false);
@@ -89,7 +91,9 @@ public:
 
     ssize_t write(const char* bytes, std::size_t size) override {
         if (!writes_) begin_waiting(true);  // the time it took to find the answer is not the client's
-        return is_writable() ? ::send(socket_, bytes, size, MSG_NOSIGNAL | MSG_DONTWAIT) : -1;
+        const ssize_t sent = is_writable() ? ::send(socket_, bytes, size, MSG_NOSIGNAL | MSG_DONTWAIT) : -1;
+        failed_ = sent < 0;
+        return sent;
     }
 
     /// Every client is of this machine; nobody asks for more.
@@ -128,6 +132,7 @@ private:
     std::size_t begin_ = 0;
     std::size_t end_ = 0;
     bool writes_ = false;
+    bool failed_ = false;                     ///< httplib does not say when an answer could not be sent
     Clock::time_point since_ = Clock::now();  ///< the client is waited for
 };
 
@@ -154,6 +159,7 @@ void HttpServer::end() {
 }
 
 bool HttpServer::process_and_close_socket(socket_t socket) {
+    (void)::setsockopt(socket, SOL_SOCKET, SO_SNDBUF, &send_buffer_bytes, sizeof send_buffer_bytes);
     SocketStream stream(socket, demand_);
     bool is_good = true;
     bool is_closed = false;
