@@ -2,6 +2,7 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
+#include <boost/math/tools/roots.hpp>
 #include <cmath>
 
 #include "fit/box_misfit.hpp"
@@ -140,11 +141,32 @@ ParameterUncertainty uncertainty_at_bound(Status status, const Place& place, dou
             .decided_by_prior = is_decided_by_prior(place.free, interval)};
 }
 
+/// Where the cost has risen by 3.84 on the way to `bound`, else there.
+double end_towards(const Place& place, double sigma, double bound) {
+    const auto excess = [&](double coordinate) {
+        const double at = value_at_coordinate(place.free.prior, coordinate);
+        return linear_cost_rise(place.free.prior, place.value, sigma, at) - normal_95 * normal_95;
+    };
+    const double from = natural_coordinate(place.free.prior, place.value);
+    const double to = natural_coordinate(place.free.prior, bound);
+    if (!(excess(to) > 0.0)) return bound;
+    constexpr int bits = 40;
+    std::uintmax_t steps = 200;
+    const auto [low, high] = boost::math::tools::toms748_solve(excess, std::min(from, to), std::max(from, to),
+                                                               boost::math::tools::eps_tolerance<double>(bits), steps);
+    return std::clamp(value_at_coordinate(place.free.prior, 0.5 * (low + high)), place.free.bounds.lower,
+                      place.free.bounds.upper);
+}
+
 /// Standard deviations in units.
 ParameterUncertainty inner_uncertainty(const Place& place, double sigma, double monte_carlo_sigma) {
-    const Bounds interval{place.moved(-normal_95 * sigma), place.moved(normal_95 * sigma)};
+    const double value_sigma = sigma * place.unit / place.slope();
+    const Bounds& bounds = place.free.bounds;
+    const Bounds interval = place.free.prior ? Bounds{end_towards(place, value_sigma, bounds.lower),
+                                                      end_towards(place, value_sigma, bounds.upper)}
+                                             : Bounds{place.moved(-normal_95 * sigma), place.moved(normal_95 * sigma)};
     return {.status = Status::free,
-            .sigma = sigma * place.unit / place.slope(),
+            .sigma = value_sigma,
             .monte_carlo_sigma = monte_carlo_sigma * place.unit / place.slope(),
             .interval_95 = interval,
             .decided_by_prior = is_decided_by_prior(place.free, interval)};
@@ -158,6 +180,18 @@ MatrixXd correlation(const MatrixXd& covariance, const std::vector<Index>& inner
 }
 
 }  // namespace
+
+double linear_cost_rise(const std::optional<Prior>& prior, double value, double sigma, double at) {
+    const double distance = at - value;
+    const double whole = 1.0 / (sigma * sigma);
+    if (!prior) return whole * distance * distance;
+    const Residual score = prior_residual(*prior, value);
+    const double information = std::max(0.0, whole - score.slope * score.slope);  // of all but the prior
+    const double score_there = natural_coordinate(prior, at);
+    // At the minimum the slopes of both parts of the cost cancel.
+    return information * distance * distance - 2.0 * score.value * score.slope * distance + score_there * score_there -
+           score.value * score.value;
+}
 
 Uncertainty estimate_uncertainty(const Objective& objective, const Minimum& minimum) {
     const std::vector<FreeParameter>& free = objective.problem().free;

@@ -32,14 +32,19 @@ struct Uncertainty {
     Eigen::MatrixXd correlation;
 };
 
-/// The uncertainty by linearisation at `minimum`, in the natural coordinates of the parameters.
+/// By how much the cost rises from its minimum, at `value`, to where one parameter is held at `at` and the others
+/// follow, where the model and their priors are linear and `sigma` is the parameter's standard deviation: a parabola
+/// without a prior of its own; a prior is taken as it is.
+[[nodiscard]] double linear_cost_rise(const std::optional<Prior>& prior, double value, double sigma, double at);
+
+/// The uncertainty by linearisation at `minimum`.
 ///
 /// A parameter at a bound, with the cost rising into the box, is taken out of the covariance; its 95 % limit is where
 /// the linearised cost, minimised over the others, has risen by 2.71. One without a prior of its own whose standard
 /// deviation is not below that of a uniform distribution over its bounds, width / sqrt(12), is not identifiable: the
 /// data say less than the bounds do; so is one whose limit at one bound lies beyond the other. Its interval is the
-/// bounds. The others have intervals of 1.96 standard deviations of the natural coordinate, cut at the bounds, and
-/// sigma, which is the standard deviation of the coordinate over its slope at the minimum.
+/// bounds. The others have sigma, and intervals up to where `linear_cost_rise` is 3.84, cut at the bounds: without a
+/// prior of 1.96 sigma to either side.
 [[nodiscard]] Uncertainty estimate_uncertainty(const Objective& objective, const Minimum& minimum);
 
 }  // namespace skinfit

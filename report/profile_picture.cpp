@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "fit/gnuplot.hpp"
-#include "fit/prior.hpp"
 #include "report/tic_step.hpp"
 
 namespace skinfit {
@@ -90,11 +89,7 @@ std::string lines_script(const FittedParameter& fitted, const ProfileCurve& curv
         points_of(fmt::format("points{}", number), curve);
     std::string plots = fmt::format("plot $threshold{} with lines {} notitle, ", number, threshold_look);
     if (const std::optional<double>& sigma = fitted.uncertainty.sigma) {
-        const double natural_sigma = *sigma * coordinate_slope(fitted.prior, fitted.value);
-        const double minimum = natural_coordinate(fitted.prior, fitted.value);
-        const auto parabola = [&](double at) {
-            return std::pow((natural_coordinate(fitted.prior, at) - minimum) / natural_sigma, 2);
-        };
+        const auto parabola = [&](double at) { return linear_cost_rise(fitted.prior, fitted.value, *sigma, at); };
         script += data("parabola", drawn(inside, parabola));
         plots += fmt::format("$parabola{} with lines {} notitle, ", number, parabola_look);
     }
@@ -144,7 +139,7 @@ std::string legend_script(const PictureSize& size) {
     add(curve_look, "profile", 115);
     add(threshold_look, "95 % threshold", 170);
     add(end_look, "95 % interval", 160);
-    add(parabola_look, "parabola of the covariance", 240);
+    add(parabola_look, "covariance", 130);
     return script + fmt::format(
                         "set object rectangle from screen {},screen {} to screen {},screen {} {}\nset label 'out of "
                         "bounds' at {} "

@@ -89,8 +89,8 @@ Html profiles(const FitResult& result) {
                     "How much the cost (chi2, and what priors add) rises above its minimum when one parameter is "
                     "held and the others are adjusted again. Dots: evaluated; the line meets their rises and "
                     "slopes. A value belongs to the interval up to the threshold, which is lower near a bound. "
-                    "Where the line leaves the parabola, the covariance misjudges the interval; a parameter "
-                    "without sigma has no parabola."});
+                    "Where the line leaves that of the covariance, a parabola but for a prior, the covariance "
+                    "misjudges the interval; a parameter without sigma has none."});
 }
 
 Html posterior(const FitResult& result) {

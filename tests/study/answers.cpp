@@ -67,6 +67,24 @@ TEST(Answers, OnlySpectraWithAnAnswerHaveProbabilities) {
     EXPECT_TRUE(answers({above("oxygen_saturation", 0.55)}, {row})[0].indicators[0].probability);
 }
 
+TEST(Answers, SayWhereThePriorDecidesTheQuantityOrItsReference) {
+    LedgerRow row = saturated("a", "foot", 0.5);
+    LedgerRow reference = saturated("a", "forearm", 0.6);
+    const std::vector<Indicator> questions = {above("oxygen_saturation", 0.55), below_reference()};
+    for (const IndicatorAnswer& each : answers(questions, {row, reference})[0].indicators) {
+        EXPECT_FALSE(each.decided_by_prior);
+    }
+    row.studied.parameters[0].decided_by_prior = true;
+    for (const IndicatorAnswer& each : answers(questions, {row, reference})[0].indicators) {
+        EXPECT_TRUE(each.decided_by_prior);
+    }
+    EXPECT_TRUE(estimate_of(row, "oxygen_saturation")->decided_by_prior);
+    row.studied.parameters[0].decided_by_prior = false;
+    reference.studied.parameters[0].decided_by_prior = true;
+    EXPECT_FALSE(answers(questions, {row, reference})[0].indicators[0].decided_by_prior);
+    EXPECT_TRUE(answers(questions, {row, reference})[0].indicators[1].decided_by_prior);
+}
+
 TEST(Answers, SayWhyThereIsNone) {
     LedgerRow row = saturated("a", "", 0.5);
     EXPECT_EQ(answers({above("bilirubin_g_per_l", 0.1)}, {row})[0].indicators[0].why_none,

@@ -28,6 +28,8 @@ namespace skinfit::test {
                           example_estimate("oxygen_saturation", 5e-324, 1.0 / 11.0)};
     studied.parameters[1].sigma.reset();
     studied.parameters[1].status = Status::at_lower_bound;
+    studied.parameters[0].prior = LogNormalPrior{.median = 0.1 / 3.0, .sigma_log = 1.0 / 7.0};
+    studied.parameters[0].decided_by_prior = true;
     studied.parameters[0].quantiles = {0.1 + 0.2, 1.0 / 3.0, 0.7};
     studied.correlation = {-2.0 / 3.0};
     studied.indices = {{.name = index_table()[0].name, .value = 100.0 / 3.0, .sigma = 1.0 / 9.0}};

@@ -99,6 +99,19 @@ TEST(MarginalDistribution, TakesTheScaleThatIsKnown) {
     EXPECT_NEAR(marginal.probability_above(0.95), (normal_cdf(1.0) - 0.5) / whole, slice);
 }
 
+/// What only the prior tells is the prior: half of it above the median, whatever the scale.
+TEST(MarginalDistribution, UnderAPriorIsNormalInItsScore) {
+    ParameterEstimate estimate = example_estimate("bilirubin_g_per_l", 0.05, 0.05 * 1.5);
+    estimate.prior = LogNormalPrior{.median = 0.05, .sigma_log = 1.5};
+    const auto at_score = [](double score) { return 0.05 * std::exp(1.5 * score); };
+    estimate.bounds = {.lower = at_score(-8.0), .upper = at_score(8.0)};
+    estimate.interval_95 = {.lower = at_score(-1.959963984540054), .upper = at_score(1.959963984540054)};
+    const MarginalDistribution marginal = marginal_of(estimate).value();
+    EXPECT_NEAR(marginal.probability_above(0.05), 0.5, 1e-9);  // a quantile
+    EXPECT_NEAR(marginal.probability_above(0.2), 1.0 - normal_cdf(std::log(4.0) / 1.5), slice);
+    EXPECT_NEAR(marginal.probability_above(0.01), normal_cdf(std::log(5.0) / 1.5), slice);
+}
+
 TEST(MarginalDistribution, OfAPosteriorIsItsQuantiles) {
     ParameterEstimate estimate = example_estimate("oxygen_saturation", 0.5, 0.05);
     estimate.quantiles = {0.2, 0.3, 0.6, 0.6, 0.9};

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "study/study_tasks.hpp"
+#include "fit/prior_json.hpp"
 #include "tests/study/example_rows.hpp"
 
 namespace skinfit {
@@ -29,6 +30,11 @@ void expect_same(const StudiedSpectrum& a, const StudiedSpectrum& b) {
         EXPECT_EQ(one.bounds.upper, other.bounds.upper);
         EXPECT_EQ(one.status, other.status);
         EXPECT_EQ(one.quantiles, other.quantiles);
+        EXPECT_EQ(one.decided_by_prior, other.decided_by_prior);
+        ASSERT_EQ(one.prior.has_value(), other.prior.has_value());
+        if (one.prior) {
+            EXPECT_EQ(to_json(*one.prior), to_json(*other.prior));
+        }
     }
     EXPECT_EQ(a.correlation, b.correlation);
     ASSERT_EQ(a.indices.size(), b.indices.size());
@@ -52,6 +58,14 @@ TEST(StudiedSpectrum, ComesBackFromJsonToTheLastBit) {
     const std::string lists = parameters_json(studied.parameters).dump() + indices_json(studied.indices).dump();
     EXPECT_EQ(lists.find("null"), lists.rfind("null")) << "the one sigma that there is not";
     expect_same(studied_from_json(to_json(StudiedSpectrum())), StudiedSpectrum());
+}
+
+/// As a ledger of an earlier release holds it.
+TEST(StudiedSpectrum, AnEstimateThatSaysNothingOfPriorsHasNone) {
+    Json old = parameters_json({test::example_estimate("oxygen_saturation", 0.5, 0.1)});
+    old[0].erase("decided_by_prior");
+    EXPECT_FALSE(parameters_from_json(old)[0].decided_by_prior);
+    EXPECT_FALSE(parameters_from_json(old)[0].prior);
 }
 
 TEST(StudiedSpectrum, EveryStatusHasAName) {

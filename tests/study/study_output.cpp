@@ -77,8 +77,9 @@ TEST(StudyCsv, EveryRowHasTheSameColumns) {
                                                "oxygen_saturation_lower_95",
                                                "oxygen_saturation_upper_95",
                                                "oxygen_saturation_status",
+                                               "oxygen_saturation_decided_by_prior",
                                                "melanosome_fraction"};
-    EXPECT_TRUE(std::ranges::equal(expected, std::vector(table[0].begin(), table[0].begin() + 15)));
+    EXPECT_TRUE(std::ranges::equal(expected, std::vector(table[0].begin(), table[0].begin() + 16)));
     EXPECT_EQ(table[0].back(), "seconds");
 }
 
@@ -102,6 +103,16 @@ TEST(StudyCsv, HoldsNumbersToTheLastBit) {
     EXPECT_EQ(cell(table, 3, "reason"), "a.csv: cannot be read (x); y");
     EXPECT_EQ(cell(table, 3, "oxygen_saturation"), "");
     EXPECT_EQ(cell(table, 3, "p_low"), "");
+}
+
+TEST(StudyCsv, SaysWhatItsPriorDecides) {
+    std::vector<LedgerRow> two = {rows()[0], rows()[0]};
+    two[1].studied.parameters[0].decided_by_prior = true;
+    const auto table = table_in(study_csv(asking(), answered(asking(), two)));
+    EXPECT_EQ(cell(table, 1, "oxygen_saturation_decided_by_prior"), "no");
+    EXPECT_EQ(cell(table, 2, "oxygen_saturation_decided_by_prior"), "yes");
+    EXPECT_EQ(cell(table, 1, "p_low_decided_by_prior"), "no");
+    EXPECT_EQ(cell(table, 2, "p_low_decided_by_prior"), "yes");
 }
 
 /// Of the pairs of three parameters of which another spectrum has two, in another order of columns.
