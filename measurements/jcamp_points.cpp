@@ -147,7 +147,7 @@ double last_digit(std::string_view text) {
     return std::pow(10.0, power - static_cast<double>(decimals));
 }
 
-std::optional<ReadingRemark> contradiction(const JcampBlock& block, const Statement& statement) {
+std::optional<FileDoubt> contradiction(const JcampBlock& block, const Statement& statement) {
     const JcampRecord* const record = block.record(statement.label);
     const std::optional<double> stated = stated_number(record);
     if (!stated || !std::isfinite(statement.found)) return std::nullopt;
@@ -160,10 +160,9 @@ std::optional<ReadingRemark> contradiction(const JcampBlock& block, const Statem
     if (agrees(statement.found, grain == 1 ? 0 : grain) || agrees(statement.found / statement.factor, 0)) {
         return std::nullopt;
     }
-    return ReadingRemark{.doubtful = true,
-                         .message = fmt::format("line {}: ##{}= is {}, and the data have {:.6g}", record->line(),
-                                                statement.label, in_quotes(record->value()), statement.found),
-                         .remedy = "check that the file is complete and unchanged, and its factors right"};
+    return FileDoubt{.message = fmt::format("line {}: ##{}= is {}, and the data have {:.6g}", record->line(),
+                                            statement.label, in_quotes(record->value()), statement.found),
+                     .remedy = "check that the file is complete and unchanged, and its factors right"};
 }
 
 /// The least and the largest of those that are numbers.
@@ -184,7 +183,7 @@ void check_statements(const JcampBlock& block, JcampPoints& points, double y_fac
                                        Statement{"MINX", least_x, 1}, Statement{"MAXX", largest_x, 1},
                                        Statement{"FIRSTY", points.y.front(), y_factor},
                                        Statement{"MINY", least_y, y_factor}, Statement{"MAXY", largest_y, y_factor}}) {
-        if (const auto remark = contradiction(block, statement)) points.remarks.push_back(*remark);
+        if (const auto doubt = contradiction(block, statement)) points.doubts.push_back(*doubt);
     }
 }
 
@@ -197,12 +196,10 @@ void check_step(const JcampBlock& block, JcampPoints& points) {
     const double found = std::abs(points.x.back() - points.x.front()) / steps;
     constexpr double share = 0.01;  // chosen: half a step over fifty points
     if (std::abs(stated - found) <= last_digit(record->value()) + share * found) return;
-    points.remarks.push_back(
-        {.doubtful = true,
-         .message = fmt::format("line {}: ##DELTAX= is {}, and from ##FIRSTX= to ##LASTX= the step "
-                                "is {:.6g}",
-                                record->line(), in_quotes(record->value()), found),
-         .remedy = "check that the file is complete and unchanged"});
+    points.doubts.push_back({.message = fmt::format("line {}: ##DELTAX= is {}, and from ##FIRSTX= to ##LASTX= the step "
+                                                    "is {:.6g}",
+                                                    record->line(), in_quotes(record->value()), found),
+                             .remedy = "check that the file is complete and unchanged"});
 }
 
 }  // namespace

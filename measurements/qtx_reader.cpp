@@ -114,7 +114,7 @@ std::vector<double> readings(const QtxSection& section, const std::string& sourc
         std::string digits(cell);
         if (semicolons) std::ranges::replace(digits, ',', '.');
         const std::optional<double> value = parse_number(digits);
-        if (is_missing(cell)) {
+        if (is_missing(cell) || value == 0.0) {  // no surface reflects nothing
             values.push_back(std::numeric_limits<double>::quiet_NaN());
         } else if (value && std::isfinite(*value)) {
             values.push_back(*value);

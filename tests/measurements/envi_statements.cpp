@@ -46,9 +46,14 @@ protected:
 
 std::string remarks_of(const Spectrum& spectrum) {
     std::string text;
-    for (const ReadingRemark& remark : spectrum.remarks)
-        text += (remark.doubtful ? "! " : "- ") + remark.message + "\n";
-    return text;
+    for (const std::string& remark : spectrum.remarks)
+        text += "- " + remark +
+                "
+                ";
+                for (const FileDoubt& doubt : spectrum.doubts) text += "! " + doubt.message +
+                                                                       "
+                                                                       ";
+                                                                       return text;
 }
 
 TEST_F(EnviStatements, NumbersAreScaledAsTheHeaderSays) {
@@ -188,7 +193,7 @@ TEST_F(EnviStatements, WhatIsNotUnderstoodIsARemark) {
               "- line 16 of the header, \"dark offset\" = \"3\", is not understood and not applied\n"
               "! line 15 of the header, \"scale\" = \"0.5\", is not understood and not applied\n");
     EXPECT_TRUE(doubtful_file(spectrum));
-    EXPECT_EQ(not_used(spectrum)->severity, Severity::note);
+    EXPECT_EQ(as_read(spectrum)->severity, Severity::note);
 }
 
 TEST_F(EnviStatements, DataOfOtherSizesAndFormsAreSaid) {
