@@ -92,6 +92,9 @@ TEST(JcampStatements, RecordsThatContradictTheDataAreAWarning) {
         EXPECT_EQ(finding.has_value(), !each.remark.empty()) << each.records;
         if (finding) EXPECT_TRUE(contains_text(finding->message, each.remark)) << finding->message;
     }
+    const Spectrum shifted = only(jcamp("NM", "R", steps + "##XYDATA= (X++(Y..Y))\n410 100 250 375\n"));
+    ASSERT_TRUE(doubtful_file(shifted));
+    EXPECT_EQ(doubtful_file(shifted)->message, "line 9 starts at 410, and ##FIRSTX= is 400");
     const Spectrum moved = only(jcamp("NM", "REFLECTANCE", "##FIRSTX= 410\n##LASTX= 600\n" + pairs));
     ASSERT_TRUE(doubtful_file(moved));
     EXPECT_EQ(doubtful_file(moved)->message, "line 4: ##FIRSTX= is \"410\", and the data have 400");
