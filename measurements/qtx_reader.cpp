@@ -60,8 +60,7 @@ std::string_view prefix_of(std::string_view title) {
 
 /// Without the comma that some programs put behind every value.
 std::string_view without_end_comma(std::string_view value) {
-    while (value.ends_with(',') || value.ends_with(';')) value = trimmed(value.substr(0, value.size() - 1));
-    return value;
+    return value.ends_with(',') || value.ends_with(';') ? trimmed(value.substr(0, value.size() - 1)) : value;
 }
 
 std::vector<QtxSection> sections_in(std::string_view text, const std::string& source) {

@@ -34,26 +34,26 @@ protected:
         return text;
     }
     void write(const std::string& more, int data_type = 12) const {
-        test::write_cube(in_folder("a.hdr"), {.samples = 2,
-                                              .lines = 2,
-                                              .bands = 3,
-                                              .interleave = "bip",
-                                              .data_type = data_type,
-                                              .more = more,
-                                              .given = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}});
+        const MadeCube made{.samples = 2,
+                            .lines = 2,
+                            .bands = 3,
+                            .interleave = "bip",
+                            .data_type = data_type,
+                            .more = more,
+                            .given = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}};
+        test::write_cube(in_folder("a.hdr"), made);
+        if (more.find("description") == std::string::npos) return;
+        std::string header = test::header_text(made);  // which has a description already
+        header.replace(header.find("description"), std::string_view("description").size(), "comment");
+        test::write_text(in_folder("a.hdr"), header);
     }
 };
 
 std::string remarks_of(const Spectrum& spectrum) {
     std::string text;
-    for (const std::string& remark : spectrum.remarks)
-        text += "- " + remark +
-                "
-                ";
-                for (const FileDoubt& doubt : spectrum.doubts) text += "! " + doubt.message +
-                                                                       "
-                                                                       ";
-                                                                       return text;
+    for (const std::string& remark : spectrum.remarks) text += "- " + remark + "\n";
+    for (const FileDoubt& doubt : spectrum.doubts) text += "! " + doubt.message + "\n";
+    return text;
 }
 
 TEST_F(EnviStatements, NumbersAreScaledAsTheHeaderSays) {
