@@ -96,9 +96,8 @@ void take_stated_range(const CgatsTable& table, CgatsBands& bands) {
         if (number) bands.wavelength_nm = exact;
         return;
     }
-    bands.remarks.push_back(
-        {.doubtful = true,
-         .message = fmt::format("{} fields are named from {:g} to {:g} nm; SPECTRAL_BANDS, SPECTRAL_START_NM and "
+    bands.doubts.push_back(
+        {.message = fmt::format("{} fields are named from {:g} to {:g} nm; SPECTRAL_BANDS, SPECTRAL_START_NM and "
                                 "SPECTRAL_END_NM say {}, {:g} and {:g}; the names are taken",
                                 count, bands.wavelength_nm.front(), bands.wavelength_nm.back(),
                                 number ? fmt::format("{:g}", *number) : "nothing", *start, *end),

@@ -19,7 +19,7 @@ struct CgatsBands {
     std::vector<std::size_t> wavelength_field;  ///< one per field; empty but for pairs
     std::optional<Unit> unit{};                 ///< where the names state it
     std::optional<Quantity> quantity{};         ///< likewise
-    std::vector<ReadingRemark> remarks{};       ///< where keywords contradict the names
+    std::vector<FileDoubt> doubts{};            ///< where keywords contradict the names
 };
 
 /// The spectra that the fields of a table make. Fields of one are called by a prefix and the wavelength in nm, as

@@ -65,11 +65,10 @@ void take_notes(Spectrum& spectrum, const CgatsTable& table, std::span<const Cga
         if (found == table.keywords.end()) continue;
         spectrum.notes.push_back({.line = found->second.line, .key = std::string(name), .value = found->second.value});
         if (name.find("FILTER") == std::string_view::npos || lower_case(found->second.value).find("pol") != 0) continue;
-        spectrum.remarks.push_back({.doubtful = false,
-                                    .message = fmt::format("{} is {}: light was measured through polarising filters, "
-                                                           "which the model does not know",
-                                                           name, in_quotes(found->second.value)),
-                                    .remedy = "state specular=excluded where the filters are crossed"});
+        spectrum.remarks.push_back(
+            fmt::format("{} is {}: light was measured through polarising filters, which the model does not know; state "
+                        "specular=excluded where they are crossed",
+                        name, in_quotes(found->second.value)));
     }
 }
 
@@ -97,7 +96,7 @@ Spectrum cgats_statements(const CgatsTable& table, const CgatsBands& bands, std:
     spectrum.quantity = quantity_of(table, bands);
     spectrum.geometry = geometry_of(table, bands, cells);
     spectrum.instrument = instrument_of(table);
-    spectrum.remarks = bands.remarks;
+    spectrum.doubts = bands.doubts;
     take_notes(spectrum, table, cells);
     return spectrum;
 }

@@ -20,12 +20,11 @@ Raster open_mask(const std::filesystem::path& path) {
                           .why = "a mask has one",
                           .remedy = "export the mask alone"});
     }
-    for (const ReadingRemark& remark : header.remarks) {
-        if (!remark.doubtful) continue;
+    if (!header.doubts.empty()) {
         throw InputError({.where = header.source,
                           .problem = "is in doubt as a mask",
-                          .why = remark.message,
-                          .remedy = remark.remedy});
+                          .why = header.doubts.front().message,
+                          .remedy = header.doubts.front().remedy});
     }
     return open_envi_data(files, header);
 }

@@ -71,9 +71,8 @@ bool is_gzipped(const std::filesystem::path& path) {
                       .remedy = "copy the file again if it is cut short, else correct the sizes in the header"});
 }
 
-ReadingRemark remark_on_long_data(const EnviFiles& files, std::uintmax_t found, std::uintmax_t excess) {
-    return {.doubtful = true,
-            .message = fmt::format("{} has {} bytes, {} more than its header promises; if any stand in front of the "
+FileDoubt doubt_about_long_data(const EnviFiles& files, std::uintmax_t found, std::uintmax_t excess) {
+    return {.message = fmt::format("{} has {} bytes, {} more than its header promises; if any stand in front of the "
                                    "numbers, all values belong to other bands or pixels",
                                    files.data.filename().string(), found, excess),
             .remedy =
@@ -135,7 +134,7 @@ EnviHeader read_envi_header(const EnviFiles& files) {
     const std::uintmax_t found = std::filesystem::file_size(files.data);
     const std::uint64_t promised = header.data_file_bytes();
     if (found < promised) refuse_short_data(files, found, promised);
-    if (found > promised) header.remarks.push_back(remark_on_long_data(files, found, found - promised));
+    if (found > promised) header.doubts.push_back(doubt_about_long_data(files, found, found - promised));
     return header;
 }
 

@@ -26,7 +26,7 @@ struct EnviFiles {
 /// Throws InputError when `path` is no ENVI file and when no data or several are found.
 [[nodiscard]] EnviFiles find_envi_files(const std::filesystem::path& path);
 
-/// Reads the header; it may have 16 MB. Data that are more than it promises make a remark. Throws InputError as
+/// Reads the header; it may have 16 MB. Data that are more than it promises make a doubt. Throws InputError as
 /// `parse_envi_header`, and when the data are fewer than it promises.
 [[nodiscard]] EnviHeader read_envi_header(const EnviFiles& files);
 

@@ -57,7 +57,8 @@ struct EnviHeader {
     std::vector<bool> good;                          ///< one per band: not marked as bad by `bbl`
     std::vector<std::string> band_names;             ///< one per band; empty where not given or not one per band
     std::vector<std::string> spectra_names;          ///< one per line of a library; empty where not given
-    std::vector<ReadingRemark> remarks;              ///< on what the header states and is not used
+    std::vector<std::string> remarks;                ///< on what the header states and is not used
+    std::vector<FileDoubt> doubts;                   ///< on what contradicts the data, or may change them
     /// `key = value`, without line ends, of what the header says about where on earth or in a larger picture the pixels
     /// lie: `map info`, `projection info`, `coordinate system string`, `geo points`, `pixel size`, `x start`, `y
     /// start`.

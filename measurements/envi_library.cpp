@@ -14,7 +14,7 @@
 namespace skinfit {
 namespace {
 
-UnitFinding unit_of(const SpectralCube& cube, std::span<const double> values) {
+UnitFinding unit_of_library(const SpectralCube& cube, std::span<const double> values) {
     if (cube.has_stated_unit()) return {.unit = Unit::fraction, .rule = cube.unit_rule()};
     std::vector<double> present;
     std::ranges::copy_if(values, std::back_inserter(present), [](double value) { return !std::isnan(value); });
@@ -32,7 +32,7 @@ std::vector<Spectrum> library_spectra(const SpectralCube& cube) {
         const std::vector<double> part = cube.read_lines(first, std::min(cube.lines_at_once(), cube.lines() - first));
         values.insert(values.end(), part.begin(), part.end());
     }
-    const UnitFinding unit = unit_of(cube, values);
+    const UnitFinding unit = unit_of_library(cube, values);
     const std::size_t count = cube.bands().size();
     Grid grid{.wavelength_nm = cube.wavelength_nm(), .order = {}};
     for (std::size_t i = 0; i < count; ++i) grid.order.push_back(i);
@@ -43,6 +43,7 @@ std::vector<Spectrum> library_spectra(const SpectralCube& cube) {
         Spectrum spectrum = common_spectrum(cube);
         spectrum.wavelength_nm.clear();
         spectrum.remarks = cube.header().remarks;
+        spectrum.doubts = cube.header().doubts;
         spectrum.name = names.empty() ? fmt::format("spectrum {}", line + 1) : names[line];
         spectrum.geometry.specular = specular_in_title(spectrum.name);
         spectrum.notes.push_back({.line = 0, .key = "wavelength_unit", .value = cube.header().wavelength_rule});
@@ -57,11 +58,8 @@ std::vector<Spectrum> library_spectra(const SpectralCube& cube) {
     }
     if (const std::size_t left_out = cube.lines() - spectra.size(); left_out > 0) {
         for (Spectrum& spectrum : spectra) {
-            spectrum.remarks.push_back({.doubtful = false,
-                                        .message = fmt::format("{} of {} spectra of the file are without numbers and "
-                                                               "are left out",
-                                                               left_out, cube.lines()),
-                                        .remedy = "none is needed"});
+            spectrum.remarks.push_back(fmt::format("{} of {} spectra of the file are without numbers and are left out",
+                                                   left_out, cube.lines()));
         }
     }
     return spectra;

@@ -61,7 +61,7 @@ std::vector<FileNote> notes_on(const SpectralCube& cube, const RegionChoice& cho
     return notes;
 }
 
-std::optional<ReadingRemark> remark_on_pixels(const CubeMean& mean) {
+std::optional<std::string> remark_on_pixels(const CubeMean& mean) {
     const std::size_t left_out = mean.masked + mean.incomplete;
     if (left_out == 0) return std::nullopt;
     std::string why;
@@ -69,10 +69,7 @@ std::optional<ReadingRemark> remark_on_pixels(const CubeMean& mean) {
     if (mean.incomplete > 0) {
         why += fmt::format("{}{} lack a number in some band", why.empty() ? "" : ", ", mean.incomplete);
     }
-    return ReadingRemark{
-        .doubtful = false,
-        .message = fmt::format("{} of {} pixels are left out: {}", left_out, mean.pixels + left_out, why),
-        .remedy = "none is needed: the mean is that of the others"};
+    return fmt::format("{} of {} pixels are left out: {}", left_out, mean.pixels + left_out, why);
 }
 
 void take_mean(Spectrum& spectrum, const CubeMean& mean, double one) {
@@ -86,7 +83,7 @@ void take_mean(Spectrum& spectrum, const CubeMean& mean, double one) {
     spectrum.wavelength_nm.resize(spectrum.value.size());
 }
 
-UnitFinding unit_of(const SpectralCube& cube, const std::vector<double>& values) {
+UnitFinding unit_of_mean(const SpectralCube& cube, const std::vector<double>& values) {
     if (cube.has_stated_unit()) return {.unit = Unit::fraction, .rule = cube.unit_rule()};
     UnitFinding found = find_unit({.option = {}, .comment = {}, .header = {}}, values);
     require_no_radiance(cube, found);
@@ -100,6 +97,7 @@ Spectrum mean_of(const SpectralCube& cube, const ReadOptions& options) {
     spectrum.notes.insert(spectrum.notes.begin(), notes.begin(), notes.end());
     if (!mean.sigma.empty()) spectrum.sigma_source = fmt::format("from the scatter of {} pixels", mean.pixels);
     spectrum.remarks = cube.header().remarks;
+    spectrum.doubts = cube.header().doubts;
     if (const auto remark = remark_on_pixels(mean)) spectrum.remarks.push_back(*remark);
 
     std::vector<double> present;
@@ -110,7 +108,7 @@ Spectrum mean_of(const SpectralCube& cube, const ReadOptions& options) {
                           .why = "no surface reflects nothing",
                           .remedy = "choose another mask or rectangle"});
     }
-    const UnitFinding found = unit_of(cube, present);
+    const UnitFinding found = unit_of_mean(cube, present);
     spectrum.unit_rule = found.rule;
     take_mean(spectrum, mean, found.unit == Unit::percent ? 100 : 1);
     return spectrum;

@@ -38,11 +38,8 @@ void read_gains(const EnviFields& fields, EnviHeader& header) {
     if (!of_reflectance) return;
     for (const std::string key : {"data gain values", "data offset values"}) {
         if (!fields.find(key)) continue;
-        header.remarks.push_back({.doubtful = false,
-                                  .message = fmt::format("\"{}\" of the header is not used: there are \"data "
-                                                         "reflectance gain values\" or offsets",
-                                                         key),
-                                  .remedy = "none is needed"});
+        header.remarks.push_back(fmt::format(
+            "\"{}\" of the header is not used: there are \"data reflectance gain values\" or offsets", key));
     }
 }
 
@@ -110,12 +107,16 @@ void remark_on_unread(const EnviFields& fields, EnviHeader& header) {
             std::ranges::any_of(words, [&key](std::string_view word) { return key.find(word) != std::string::npos; });
         if (!converts || std::ranges::find(read, key) != read.end() || field.value.empty()) continue;
         if (key.find("map") != std::string::npos || key.find("geo") != std::string::npos) continue;
-        header.remarks.push_back(
-            {.doubtful = key.find("scale") != std::string::npos && parse_number(field.value).value_or(0) != 1.0,
-             .message = fmt::format("line {} of the header, {} = {}, is not understood and not applied", field.line,
-                                    in_quotes(key), in_quotes(field.value)),
-             .remedy = "if it changes the values, state it as \"data gain values\", \"data offset values\", "
-                       "\"reflectance scale factor\" or \"data ignore value\"; else delete it"});
+        const std::string message = fmt::format("line {} of the header, {} = {}, is not understood and not applied",
+                                                field.line, in_quotes(key), in_quotes(field.value));
+        const bool scales = key.find("scale") != std::string::npos && parse_number(field.value).value_or(0) != 1.0;
+        if (!scales) {
+            header.remarks.push_back(message);
+            continue;
+        }
+        header.doubts.push_back({.message = message,
+                                 .remedy = "state it as \"data gain values\", \"data offset values\" or \"reflectance "
+                                           "scale factor\" if it changes the values, else delete it"});
     }
 }
 

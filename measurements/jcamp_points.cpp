@@ -49,6 +49,16 @@ void check_abscissa(const JcampBlock& block, const JcampTextLine& line, double f
                  "the points before it are too few or too many", "check that the file is complete and unchanged");
 }
 
+/// The first line starts at ##FIRSTX=, but for the rounding of an abscissa without decimals.
+void check_first_abscissa(JcampPoints& points, const JcampTextLine& line, double written, double first, double step,
+                          double x_factor) {
+    const double rounding = std::abs(x_factor) * (written == std::floor(written) ? 0.51 : 0.051);
+    if (std::abs(written * x_factor - first) <= rounding + 0.01 * std::abs(step)) return;
+    points.doubts.push_back({.message = fmt::format("line {} starts at {:g}, and ##FIRSTX= is {:g}", line.number,
+                                                    written * x_factor, first),
+                             .remedy = "check that the file is complete and unchanged"});
+}
+
 /// `(X++(Y..Y))`: equal steps from FIRSTX to LASTX.
 JcampPoints equal_steps(const JcampBlock& block, const JcampRecord& data, const Writing& writing) {
     const double first = block.number("FIRSTX");
@@ -66,6 +76,7 @@ JcampPoints equal_steps(const JcampBlock& block, const JcampRecord& data, const 
         std::span<const double> ordinates = decoded.ordinates;
         check_abscissa(block, line, decoded.abscissa * writing.x_factor,
                        first + step * static_cast<double>(points.y.size()), step, writing.x_factor);
+        if (points.y.empty()) check_first_abscissa(points, line, decoded.abscissa, first, step, writing.x_factor);
         if (repeats_last && !ordinates.empty()) {
             if (ordinates.front() * writing.y_factor != points.y.back()) {
                 refuse_jcamp(block.source(), line.number,
@@ -137,33 +148,32 @@ struct Statement {
     double factor;  ///< ordinates may be stated before multiplication by it
 };
 
-/// The size of one in the last digit of a number.
-double last_digit(std::string_view text) {
+/// By how much a number may be off for its rounding: half of one in its last digit.
+double rounding_of(std::string_view text) {
     const std::size_t exponent = text.find_first_of("eE");
     const std::string_view mantissa = text.substr(0, exponent);
     const std::size_t mark = mantissa.find_first_of(".,");
     const std::size_t decimals = mark == std::string_view::npos ? 0 : mantissa.size() - mark - 1;
     const double power = exponent == std::string_view::npos ? 0 : parse_number(text.substr(exponent + 1)).value_or(0);
-    return std::pow(10.0, power - static_cast<double>(decimals));
+    return 0.51 * std::pow(10.0, power - static_cast<double>(decimals));
 }
 
-std::optional<ReadingRemark> contradiction(const JcampBlock& block, const Statement& statement) {
+std::optional<FileDoubt> contradiction(const JcampBlock& block, const Statement& statement) {
     const JcampRecord* const record = block.record(statement.label);
     const std::optional<double> stated = stated_number(record);
     if (!stated || !std::isfinite(statement.found)) return std::nullopt;
-    constexpr double rounding = 1e-5;  // of numbers in single precision, and their printing
+    constexpr double single_precision = 1e-5;  // chosen: a hundred times its rounding
     const auto agrees = [&](double number, double grain) {
-        const double allowed = last_digit(record->value()) + grain + rounding * std::abs(number);
+        const double allowed = rounding_of(record->value()) + grain + single_precision * std::abs(number);
         return std::abs(number - *stated) <= allowed;
     };
     const double grain = std::abs(statement.factor);
     if (agrees(statement.found, grain == 1 ? 0 : grain) || agrees(statement.found / statement.factor, 0)) {
         return std::nullopt;
     }
-    return ReadingRemark{.doubtful = true,
-                         .message = fmt::format("line {}: ##{}= is {}, and the data have {:.6g}", record->line(),
-                                                statement.label, in_quotes(record->value()), statement.found),
-                         .remedy = "check that the file is complete and unchanged, and its factors right"};
+    return FileDoubt{.message = fmt::format("line {}: ##{}= is {}, and the data have {:.6g}", record->line(),
+                                            statement.label, in_quotes(record->value()), statement.found),
+                     .remedy = "check that the file is complete and unchanged, and its factors right"};
 }
 
 /// The least and the largest of those that are numbers.
@@ -184,7 +194,7 @@ void check_statements(const JcampBlock& block, JcampPoints& points, double y_fac
                                        Statement{"MINX", least_x, 1}, Statement{"MAXX", largest_x, 1},
                                        Statement{"FIRSTY", points.y.front(), y_factor},
                                        Statement{"MINY", least_y, y_factor}, Statement{"MAXY", largest_y, y_factor}}) {
-        if (const auto remark = contradiction(block, statement)) points.remarks.push_back(*remark);
+        if (const auto doubt = contradiction(block, statement)) points.doubts.push_back(*doubt);
     }
 }
 
@@ -196,13 +206,11 @@ void check_step(const JcampBlock& block, JcampPoints& points) {
     const auto steps = static_cast<double>(points.x.size() - 1);
     const double found = std::abs(points.x.back() - points.x.front()) / steps;
     constexpr double share = 0.01;  // chosen: half a step over fifty points
-    if (std::abs(stated - found) <= last_digit(record->value()) + share * found) return;
-    points.remarks.push_back(
-        {.doubtful = true,
-         .message = fmt::format("line {}: ##DELTAX= is {}, and from ##FIRSTX= to ##LASTX= the step "
-                                "is {:.6g}",
-                                record->line(), in_quotes(record->value()), found),
-         .remedy = "check that the file is complete and unchanged"});
+    if (std::abs(stated - found) <= rounding_of(record->value()) + share * found) return;
+    points.doubts.push_back({.message = fmt::format("line {}: ##DELTAX= is {}, and from ##FIRSTX= to ##LASTX= the step "
+                                                    "is {:.6g}",
+                                                    record->line(), in_quotes(record->value()), found),
+                             .remedy = "check that the file is complete and unchanged"});
 }
 
 }  // namespace

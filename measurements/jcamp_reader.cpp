@@ -72,7 +72,7 @@ Spectrum spectrum_of(const JcampBlock& block, const JcampRecord& data, const Rea
     spectrum.geometry = {.incidence_deg = geometry.incidence_deg, .specular = geometry.specular};
     if (!geometry.specular) spectrum.geometry.specular = specular_in_title(spectrum.name);
     JcampPoints points = jcamp_points(block, data, form == "(XY..XY)");
-    spectrum.remarks = std::move(points.remarks);
+    spectrum.doubts = std::move(points.doubts);
     if (std::ranges::any_of(points.y, [](double y) { return std::isinf(y); })) {
         refuse_jcamp(block.source(), data.line(), "holds a number that is too large", "it exceeds double precision",
                      "correct it or ##YFACTOR=");

@@ -14,10 +14,7 @@ void LeftOut::tell(std::vector<Spectrum>& spectra) const {
         message += fmt::format("{} {}", i == 0 ? ":" : ";", errors_[i].what());
     }
     if (errors_.size() > most) message += fmt::format("; and {} more", errors_.size() - most);
-    for (Spectrum& spectrum : spectra) {
-        spectrum.remarks.push_back(
-            {.doubtful = false, .message = message, .remedy = "none is needed for the spectra that were read"});
-    }
+    for (Spectrum& spectrum : spectra) spectrum.remarks.push_back(message);
 }
 
 }  // namespace skinfit

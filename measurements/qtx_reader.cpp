@@ -60,8 +60,7 @@ std::string_view prefix_of(std::string_view title) {
 
 /// Without the comma that some programs put behind every value.
 std::string_view without_end_comma(std::string_view value) {
-    while (value.ends_with(',') || value.ends_with(';')) value = trimmed(value.substr(0, value.size() - 1));
-    return value;
+    return value.ends_with(',') || value.ends_with(';') ? trimmed(value.substr(0, value.size() - 1)) : value;
 }
 
 std::vector<QtxSection> sections_in(std::string_view text, const std::string& source) {
@@ -114,7 +113,7 @@ std::vector<double> readings(const QtxSection& section, const std::string& sourc
         std::string digits(cell);
         if (semicolons) std::ranges::replace(digits, ',', '.');
         const std::optional<double> value = parse_number(digits);
-        if (is_missing(cell)) {
+        if (is_missing(cell) || value == 0.0) {  // no surface reflects nothing
             values.push_back(std::numeric_limits<double>::quiet_NaN());
         } else if (value && std::isfinite(*value)) {
             values.push_back(*value);

@@ -65,11 +65,8 @@ namespace skinfit {
 /// degrees of freedom as there are repeats beyond the first, as if each repeat departed alike at all wavelengths.
 [[nodiscard]] std::optional<Finding> noise_against_repeats(const Spectrum& spectrum);
 
-/// `doubtful_file`: what the file states contradicts itself, by the remarks of the reader.
+/// `doubtful_file`: what the file states contradicts its data, as its reader found.
 [[nodiscard]] std::optional<Finding> doubtful_file(const Spectrum& spectrum);
-
-/// `not_used`, a note: what of the file was left out or not understood, by the remarks of the reader.
-[[nodiscard]] std::optional<Finding> not_used(const Spectrum& spectrum);
 
 /// `duplicate`, of each spectrum that has the same values at the same wavelengths as another one.
 /// Two equal spectra make two findings. Measurements of skin never agree so: the nearest of [XIAO16] are 0.0035 apart.
@@ -87,7 +84,8 @@ struct SpectrumCheck {
 };
 
 /// All of them, in the order of their findings.
-inline constexpr std::array<SpectrumCheck, 13> spectrum_checks = {{{"unit_conflict", unit_conflict},
+inline constexpr std::array<SpectrumCheck, 13> spectrum_checks = {{{"as_read", as_read},
+                                                                   {"unit_conflict", unit_conflict},
                                                                    {"outside_0_1", outside_0_1},
                                                                    {"offset", offset},
                                                                    {"dark_everywhere", dark_everywhere},
@@ -98,8 +96,7 @@ inline constexpr std::array<SpectrumCheck, 13> spectrum_checks = {{{"unit_confli
                                                                    {"saturation", saturation},
                                                                    {"no_hemoglobin", no_hemoglobin},
                                                                    {"noise_against_repeats", noise_against_repeats},
-                                                                   {"doubtful_file", doubtful_file},
-                                                                   {"not_used", not_used}}};
+                                                                   {"doubtful_file", doubtful_file}}};
 
 /// The names of all checks, as their findings bear them.
 inline constexpr std::array<std::string_view, spectrum_checks.size() + 3> quality_check_names = [] {

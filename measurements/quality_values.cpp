@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cassert>
@@ -22,27 +23,6 @@ std::size_t darkest(const Spectrum& spectrum) {
 
 std::size_t brightest(const Spectrum& spectrum) {
     return static_cast<std::size_t>(std::ranges::max_element(spectrum.value) - spectrum.value.begin());
-}
-
-/// The texts that `member` is in the remarks that are `doubtful` or not, each once.
-std::string joined(const Spectrum& spectrum, bool doubtful, std::string ReadingRemark::*member) {
-    std::vector<std::string_view> texts;
-    std::string all;
-    for (const ReadingRemark& remark : spectrum.remarks) {
-        const std::string& text = remark.*member;
-        if (remark.doubtful != doubtful || std::ranges::find(texts, text) != texts.end()) continue;
-        texts.push_back(text);
-        all += all.empty() ? text : "; " + text;
-    }
-    return all;
-}
-
-/// The finding `found` with what the remarks say; nothing where there are none.
-std::optional<Finding> told(const Spectrum& spectrum, bool doubtful, Finding found) {
-    found.spectrum = spectrum.name;
-    found.message = joined(spectrum, doubtful, &ReadingRemark::message);
-    found.remedy = joined(spectrum, doubtful, &ReadingRemark::remedy);
-    return found.message.empty() ? std::nullopt : std::optional(found);
 }
 
 }  // namespace
@@ -116,6 +96,15 @@ std::optional<Finding> dark_everywhere(const Spectrum& spectrum) {
                    .remedy = "check the white standard, the contact with the skin and that the lamp was on"};
 }
 
+std::optional<Finding> as_read(const Spectrum& spectrum) {
+    if (spectrum.remarks.empty()) return std::nullopt;
+    return Finding{.name = "as_read",
+                   .severity = Severity::note,
+                   .spectrum = spectrum.name,
+                   .message = fmt::format("{}", fmt::join(spectrum.remarks, "; ")),
+                   .remedy = "none is needed where that is right; else correct the file, or state it in comments"};
+}
+
 std::optional<Finding> missing_values(const Spectrum& spectrum) {
     constexpr std::size_t many = 10;  // one in so many
     if (spectrum.missing == 0) return std::nullopt;
@@ -148,12 +137,14 @@ std::optional<Finding> outside_tables(const Spectrum& spectrum, const ModelledRa
 }
 
 std::optional<Finding> doubtful_file(const Spectrum& spectrum) {
-    return told(spectrum, true, {.name = "doubtful_file", .spectrum = {}, .message = {}, .remedy = {}});
-}
-
-std::optional<Finding> not_used(const Spectrum& spectrum) {
-    return told(spectrum, false,
-                {.name = "not_used", .severity = Severity::note, .spectrum = {}, .message = {}, .remedy = {}});
+    if (spectrum.doubts.empty()) return std::nullopt;
+    std::string message;
+    std::string remedy;
+    for (const FileDoubt& doubt : spectrum.doubts) {
+        message += (message.empty() ? "" : "; ") + doubt.message;
+        if (remedy.find(doubt.remedy) == std::string::npos) remedy += (remedy.empty() ? "" : "; ") + doubt.remedy;
+    }
+    return Finding{.name = "doubtful_file", .spectrum = spectrum.name, .message = message, .remedy = remedy};
 }
 
 }  // namespace skinfit

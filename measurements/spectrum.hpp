@@ -25,9 +25,8 @@ struct FileNote {
     std::string value;
 };
 
-/// What a reader has to say about a spectrum: what of its file was not used, or contradicts itself.
-struct ReadingRemark {
-    bool doubtful;  ///< the values may be wrong; else they are as good as without it
+/// Something by which a file contradicts itself, so that the values may be wrong.
+struct FileDoubt {
     std::string message;
     std::string remedy;
 };
@@ -60,8 +59,9 @@ struct Spectrum {
     std::string site{};                          ///< of the body, as its file names it
     std::optional<double> aperture_mm{};         ///< diameter, above 0
     std::optional<Bandpass> bandpass{};
-    std::size_t missing = 0;               ///< wavelengths of the file without a value; they are left out above
-    std::vector<ReadingRemark> remarks{};  ///< of its reader
+    std::size_t missing = 0;             ///< wavelengths of the file without a value; they are left out above
+    std::vector<std::string> remarks{};  ///< what its reader left out, converted or could not make out, in words
+    std::vector<FileDoubt> doubts{};     ///< in what its file contradicts itself
     std::size_t line = 0;  ///< where it stands in its file: its own line or the header, from 1; 0 where neither is
 };
 

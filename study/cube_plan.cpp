@@ -43,11 +43,11 @@ void require_picture(const EnviHeader& header) {
                           .why = "it has no pixels to make a map of",
                           .remedy = "list it among the spectra of the study"});
     }
-    for (const ReadingRemark& remark : header.remarks) {
-        if (!remark.doubtful) continue;
-        throw InputError(
-            {.where = header.source, .problem = "gives no map", .why = remark.message, .remedy = remark.remedy});
-    }
+    if (header.doubts.empty()) return;
+    throw InputError({.where = header.source,
+                      .problem = "gives no map",
+                      .why = header.doubts.front().message,
+                      .remedy = header.doubts.front().remedy});
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ std::string numbered(std::span<const std::string_view> names) {
 /// What the header of the cube states and is not used.
 std::string not_used_of(const EnviHeader& header) {
     std::string text;
-    for (const ReadingRemark& remark : header.remarks) text += "; " + remark.message;
+    for (const std::string& remark : header.remarks) text += "; " + remark;
     return text;
 }
 

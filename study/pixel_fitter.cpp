@@ -64,7 +64,7 @@ BulkFitter fitter_of(const FitProblem& problem, const DiskCache& cache) {
 /// reader's remarks: pixels have none.
 static_assert(std::ranges::all_of(spectrum_checks, [](const SpectrumCheck& each) {
     return (std::ranges::find(pixel_reason_names, each.name) == pixel_reason_names.end()) ==
-           (each.name == "noise_against_repeats" || each.name == "doubtful_file" || each.name == "not_used");
+           (each.name == "noise_against_repeats" || each.name == "doubtful_file" || each.name == "as_read");
 }));
 
 PixelReason reason_named(const std::string& finding) {

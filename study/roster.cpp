@@ -164,7 +164,8 @@ std::string input_hash_of(const Spectrum& spectrum) {
     }
     bytes.add(spectrum.unit_rule);     // decides findings, as
     bytes.add(spectrum.sigma_source);  // this does
-    for (const ReadingRemark& remark : spectrum.remarks) bytes.add(remark.message);
+    for (const std::string& remark : spectrum.remarks) bytes.add(remark);
+    for (const FileDoubt& doubt : spectrum.doubts) bytes.add(doubt.message);
     for (const std::vector<double>& repeat : spectrum.repeats) bytes.add(repeat);
     bytes.add(fmt::format("{}", spectrum.missing));
     return content_hash(bytes.text());

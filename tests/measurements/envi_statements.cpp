@@ -34,20 +34,25 @@ protected:
         return text;
     }
     void write(const std::string& more, int data_type = 12) const {
-        test::write_cube(in_folder("a.hdr"), {.samples = 2,
-                                              .lines = 2,
-                                              .bands = 3,
-                                              .interleave = "bip",
-                                              .data_type = data_type,
-                                              .more = more,
-                                              .given = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}});
+        const MadeCube made{.samples = 2,
+                            .lines = 2,
+                            .bands = 3,
+                            .interleave = "bip",
+                            .data_type = data_type,
+                            .more = more,
+                            .given = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}};
+        test::write_cube(in_folder("a.hdr"), made);
+        if (more.find("description") == std::string::npos) return;
+        std::string header = test::header_text(made);  // which has a description already
+        header.replace(header.find("description"), std::string_view("description").size(), "comment");
+        test::write_text(in_folder("a.hdr"), header);
     }
 };
 
 std::string remarks_of(const Spectrum& spectrum) {
     std::string text;
-    for (const ReadingRemark& remark : spectrum.remarks)
-        text += (remark.doubtful ? "! " : "- ") + remark.message + "\n";
+    for (const std::string& remark : spectrum.remarks) text += "- " + remark + "\n";
+    for (const FileDoubt& doubt : spectrum.doubts) text += "! " + doubt.message + "\n";
     return text;
 }
 
@@ -188,7 +193,7 @@ TEST_F(EnviStatements, WhatIsNotUnderstoodIsARemark) {
               "- line 16 of the header, \"dark offset\" = \"3\", is not understood and not applied\n"
               "! line 15 of the header, \"scale\" = \"0.5\", is not understood and not applied\n");
     EXPECT_TRUE(doubtful_file(spectrum));
-    EXPECT_EQ(not_used(spectrum)->severity, Severity::note);
+    EXPECT_EQ(as_read(spectrum)->severity, Severity::note);
 }
 
 TEST_F(EnviStatements, DataOfOtherSizesAndFormsAreSaid) {

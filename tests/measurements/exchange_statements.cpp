@@ -92,6 +92,9 @@ TEST(JcampStatements, RecordsThatContradictTheDataAreAWarning) {
         EXPECT_EQ(finding.has_value(), !each.remark.empty()) << each.records;
         if (finding) EXPECT_TRUE(contains_text(finding->message, each.remark)) << finding->message;
     }
+    const Spectrum shifted = only(jcamp("NM", "R", steps + "##XYDATA= (X++(Y..Y))\n410 100 250 375\n"));
+    ASSERT_TRUE(doubtful_file(shifted));
+    EXPECT_EQ(doubtful_file(shifted)->message, "line 9 starts at 410, and ##FIRSTX= is 400");
     const Spectrum moved = only(jcamp("NM", "REFLECTANCE", "##FIRSTX= 410\n##LASTX= 600\n" + pairs));
     ASSERT_TRUE(doubtful_file(moved));
     EXPECT_EQ(doubtful_file(moved)->message, "line 4: ##FIRSTX= is \"410\", and the data have 400");
@@ -127,8 +130,8 @@ TEST(JcampStatements, OneBadBlockHidesNoGoodOne) {
         for (const std::string& text : {bad + good, good + bad}) {
             const Spectrum spectrum = only("##TITLE= all\n##DATA TYPE= LINK\n##BLOCKS= 2\n" + text + "##END=\n");
             EXPECT_EQ(spectrum.value, (Numbers{0.1, 0.2, 0.3}));
-            ASSERT_TRUE(not_used(spectrum));
-            EXPECT_TRUE(not_used(spectrum)->message.starts_with("1 of the file's spectra is left out: f:"));
+            ASSERT_TRUE(as_read(spectrum));
+            EXPECT_TRUE(as_read(spectrum)->message.starts_with("1 of the file's spectra is left out: f:"));
         }
     }
 }
@@ -181,7 +184,7 @@ TEST(CgatsStatements, KeywordsAreHeeded) {
     EXPECT_EQ(sphere.geometry.incidence_deg, 8.0);
     EXPECT_EQ(sphere.geometry.specular, Specular::included);
     EXPECT_EQ(only(cgats("", fields, "\"arm SCE\" 0.1 0.2")).geometry.specular, Specular::excluded);
-    EXPECT_TRUE(not_used(only(cgats("FILTER \"Pol\"\n", fields, "a 0.1 0.2"))));
+    EXPECT_TRUE(as_read(only(cgats("FILTER \"Pol\"\n", fields, "a 0.1 0.2"))));
     const std::string range = "SPECTRAL_BANDS 3\nSPECTRAL_START_NM 380\nSPECTRAL_END_NM 400\n";
     EXPECT_TRUE(doubtful_file(only(cgats(range, fields, "a 0.1 0.2"))));
 }
@@ -189,7 +192,7 @@ TEST(CgatsStatements, KeywordsAreHeeded) {
 TEST(CgatsStatements, OneBadSetHidesNoGoodOne) {
     const Spectrum spectrum = only(cgats("", "SAMPLE_ID SPEC_400 SPEC_410", "a 0.1 0.2\nb x 0.2"));
     EXPECT_EQ(spectrum.name, "a");
-    EXPECT_TRUE(contains_text(not_used(spectrum)->message, "holds \"x\" as SPEC_400"));
+    EXPECT_TRUE(contains_text(as_read(spectrum)->message, "holds \"x\" as SPEC_400"));
 }
 
 std::string qtx(const std::string& more) {
@@ -208,7 +211,7 @@ TEST(QtxStatements, PointsViewingAndMissingReadingsAreHeeded) {
     EXPECT_TRUE(contains_text(refusal(qtx("STD_R=1,x,2\n")), "holds \"x\" among its readings"));
     const Spectrum other = only("[BATCH_DATA 0]\nBAT_R=1,2\n" + qtx("STD_R=10,20,30\n"));
     EXPECT_EQ(other.value, (Numbers{0.1, 0.2, 0.3}));
-    EXPECT_TRUE(contains_text(not_used(other)->message, "REFLLOW is \"\""));
+    EXPECT_TRUE(contains_text(as_read(other)->message, "REFLLOW is \"\""));
     EXPECT_TRUE(contains_text(refusal("[STANDARD_DATA 0]\nSTD_NAME=a\n"), "holds no spectra"));
 }
 

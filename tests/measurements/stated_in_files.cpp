@@ -93,7 +93,7 @@ TEST(StatedInFiles, PixelsMaskedByZerosAreLeftOutAndCounted) {
     expect_near(cheek.value, mean_of(floats_in("envi_masked_pixels/cheek.img"), 61, 0), rounding);
     EXPECT_NEAR(cheek.value.front(), 0.162, 0.0005);
     EXPECT_NEAR(cheek.value.back(), 0.58, 0.005);
-    const std::optional<Finding> finding = not_used(cheek);
+    const std::optional<Finding> finding = as_read(cheek);
     ASSERT_TRUE(finding);
     EXPECT_EQ(finding->severity, Severity::note);
     EXPECT_EQ(finding->message,
@@ -127,7 +127,7 @@ TEST(StatedInFiles, WavelengthsWithoutAUnitAreTakenByTheirSizeAndIgnoredPixelsLe
         const Spectrum arm = only_in("envi_units_missing/" + name + ".hdr");
         expect_near(arm.wavelength_nm, every(400, 5, 61), 1e-9);
         expect_near(arm.value, mean_of(floats_in("envi_units_missing/" + name + ".img"), 61, -9999), rounding);
-        EXPECT_EQ(not_used(arm).has_value(), name == "ignore");
+        EXPECT_EQ(as_read(arm).has_value(), name == "ignore");
     }
 }
 
@@ -136,7 +136,7 @@ TEST(StatedInFiles, ABlockOfCountsDoesNotHideTheReflectanceBesideIt) {
     EXPECT_EQ(forearm.wavelength_nm, every(380, 3, 140));
     EXPECT_EQ(forearm.value.front(), 8.048 / 100);
     EXPECT_EQ(forearm.quantity, Quantity::reflectance);
-    const std::optional<Finding> finding = not_used(forearm);
+    const std::optional<Finding> finding = as_read(forearm);
     ASSERT_TRUE(finding);
     EXPECT_TRUE(finding->message.starts_with("2 of the file's spectra are left out: ")) << finding->message;
     EXPECT_NE(finding->message.find("171: ##YUNITS= is \"COUNTS\""), std::string::npos) << finding->message;
