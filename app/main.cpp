@@ -3,6 +3,7 @@
 
 #include <exception>
 #include <memory>
+#include <new>
 
 #include "app/command_line_error.hpp"
 #include "app/commands.hpp"
@@ -106,6 +107,11 @@ int main(int argc, char** argv) {
         return skinfit::run(argc, argv);
     } catch (const skinfit::InputError& error) {
         skinfit::say_trouble("error", error.what());
+        return skinfit::bad_input;
+    } catch (const std::bad_alloc&) {
+        skinfit::say_trouble("error",
+                             "memory: there is not enough (what was asked for needs more than is left); ask for fewer "
+                             "rays, wavelengths, bins or spectra, run fewer threads (--threads), or free memory");
         return skinfit::bad_input;
     } catch (const std::exception& error) {
         skinfit::say_trouble("internal error",
