@@ -12,6 +12,7 @@
 #include "app/shared_options.hpp"
 #include "core/erase_repeated.hpp"
 #include "core/input_error.hpp"
+#include "core/memory.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/goniophotometer_output.hpp"
 #include "fit/problem.hpp"
@@ -154,6 +155,18 @@ std::string measure(const GonioCommand& command, GoniophotometerRun& run, Progre
     return json ? goniophotometer_json(run).dump(2) + "\n" : goniophotometer_csv(run);
 }
 
+/// Refuses more counts than fit into memory: three kinds of light per bin and wavelength, and those that the threads
+/// are still adding up.
+void check_memory(const GoniophotometerRun& run) {
+    constexpr double bytes_per_bin = 3 * sizeof(std::uint64_t);
+    constexpr double in_work = 64;  // chosen: as many parts of a wavelength at a time
+    const auto bins = static_cast<double>(run.spectrum.bins.count());
+    const std::size_t wavelengths = run.wavelengths_nm.size();
+    refuse_beyond_memory(bytes_per_bin * bins * (static_cast<double>(wavelengths) + in_work),
+                         fmt::format("gonio, {} bins at {} wavelengths", run.spectrum.bins.count(), wavelengths),
+                         "take wider bins (--polar-step, --azimuth-step) or fewer wavelengths");
+}
+
 int run(const GonioCommand& command, Session& session) {
     GoniophotometerRun run;
     run.configuration = gonio_configuration(command);
@@ -163,6 +176,7 @@ int run(const GonioCommand& command, Session& session) {
     run.light = choice(command.part, parts);
     run.spectrum.bins = bins_of(command);
     run.spectrum.weights = weights_of(run);
+    check_memory(run);
     (void)extinctions(run.wavelengths_nm, run.configuration.edition);  // refuses wavelengths outside the tables
     check_output(command.shared);
     const auto limit = thread_limit(command.shared);

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <exception>
 #include <memory>
+#include <new>
 #include <optional>
 
 #include "app/command_line_error.hpp"
@@ -65,6 +66,11 @@ int run_to_its_end(int argc, char** argv, Interrupt& interrupt) {
         return run(argc, argv, interrupt);
     } catch (const InputError& error) {
         say_trouble("error", error.what());
+        return bad_input;
+    } catch (const std::bad_alloc&) {
+        say_trouble("error",
+                    "memory: there is not enough (what was asked for needs more than is left); ask for fewer rays, "
+                    "wavelengths, bins or spectra, run fewer threads (--threads), or free memory");
         return bad_input;
     } catch (const std::exception& error) {
         say_trouble("internal error",

@@ -26,6 +26,8 @@ struct Range {
 inline constexpr Range incidence_range_deg{0, 85};       ///< to the normal
 inline constexpr Range viewing_cone_range_deg{0.1, 90};  ///< half angle about the normal
 inline constexpr Range bandpass_width_range_nm{0, 100};  ///< full width at half maximum
+/// Standard uncertainties of fractions: far beyond any instrument's, and such that their squares are no trouble.
+inline constexpr Range sigma_range{1e-9, 1e6};
 /// Wider than any table: what lies outside is not in nm.
 inline constexpr Range wavelength_range_nm{100, 10'000};
 

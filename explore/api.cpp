@@ -7,6 +7,7 @@
 #include "explore/measured_request.hpp"
 #include "explore/uploaded_spectra.hpp"
 #include "explore/vocabulary.hpp"
+#include "fit/band_sampling.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/report.hpp"
 #include "fit/sensitivity.hpp"
@@ -35,19 +36,11 @@ Json measurement_json(const MeasuredModel& model) {
     return json;
 }
 
+/// The simulation once more, with the errors that the solver states.
 std::vector<Reading> readings(const Simulation& simulation) {
-    const bool reflectance = simulation.configuration.quantity == Quantity::reflectance;
-    std::vector<Reading> readings;
-    for (std::size_t i = 0; i < simulation.wavelength_nm.size(); ++i) {
-        const auto row = static_cast<Eigen::Index>(i);
-        readings.push_back({.wavelength_nm = simulation.wavelength_nm[i],
-                            .reflectance = reflectance ? simulation.reading[row] : 0.0,
-                            .reflectance_se = 0.0,
-                            .transmittance = reflectance ? 0.0 : simulation.reading[row],
-                            .transmittance_se = 0.0,
-                            .surface_reflectance = simulation.surface[row]});
-    }
-    return readings;
+    const BandSampling bands = sample_bands(simulation.wavelength_nm, bandpass_of(simulation.configuration));
+    const Experiment experiment = make_experiment(simulation.configuration);
+    return readings_in_bands(read_by_solver(experiment, bands.wavelength_nm), bands, simulation.wavelength_nm);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "fit/measurement.hpp"
 #include "fit/runs_test.hpp"
+#include "model/angular_error.hpp"
 
 namespace skinfit {
 namespace {
@@ -83,6 +84,21 @@ std::optional<double> chi2_p_value(double chi2, double degrees_of_freedom) {
     return boost::math::cdf(boost::math::complement(law, chi2));
 }
 
+/// The largest error that the solver of `model` states of the share that leaves.
+double solver_error(const MeasurementModel& model, std::span<const double> values) {
+    constexpr std::size_t most_wavelengths = 16;  // chosen: errors change slowly with the wavelength
+    const Experiment experiment = model.at(values);
+    const std::vector<double> true_nm = true_wavelengths_nm(experiment, model.measurement().bands.wavelength_nm);
+    const bool reflected = measured_side(model.measurement().quantity) == Side::top;
+    const SolverErrorEstimate errors(std::get<AngularSolver>(model.forward_model()).with(experiment.values.skin));
+    double largest = 0.0;
+    for (std::size_t i = 0; i < true_nm.size(); i += 1 + true_nm.size() / most_wavelengths) {
+        const SolverErrors error = errors.at(true_nm[i]);
+        largest = std::max(largest, reflected ? error.viewed : error.transmitted);
+    }
+    return largest;
+}
+
 }  // namespace
 
 double median(std::vector<double> values) {
@@ -114,6 +130,8 @@ void describe_misfit(const Objective& objective, const Minimum& minimum, std::sp
     for (const MeasurementModel& model : objective.models()) {
         if (const auto* const emulator = std::get_if<Emulator>(&model.forward_model())) {
             result.emulator_error = std::max(result.emulator_error.value_or(0.0), emulator->certified_error());
+        } else if (std::holds_alternative<AngularSolver>(model.forward_model())) {
+            result.solver_error = std::max(result.solver_error.value_or(0.0), solver_error(model, minimum.values));
         }
     }
     if (!result.emulator_error) {

@@ -132,6 +132,7 @@ Json json_report(const FitResult& result) {
                  {"unexplained_sigmas", result.unexplained},
                  {"monte_carlo_error", result.monte_carlo_error},
                  {"emulator_error", or_null(result.emulator_error)},
+                 {"solver_error", or_null(result.solver_error)},
                  {"parameters", parameters_json(result)},
                  {"correlation", correlation_json(result)},
                  {"uncertainty", uncertainty_json(result)},

@@ -186,10 +186,11 @@ std::string setting_word(const Json& configuration, const char* key) {
 }
 
 std::string model_error_words(const FitResult& result) {
+    if (result.solver_error) return fmt::format("stated error of the angular solver: {:.1e}", *result.solver_error);
     if (!result.emulator_error) {
         return fmt::format("Monte Carlo error of the model: {}", monte_carlo_words(result.monte_carlo_error));
     }
-    return fmt::format("certified error of the emulator: {:.1e}, against the angular solver", *result.emulator_error);
+    return fmt::format("certified error of the emulator: {:.1e}", *result.emulator_error);
 }
 
 std::string search_words(const FitResult& result) {

@@ -71,6 +71,7 @@ struct FitResult {
     double median_sigma = 0.0;             ///< of the measurement
     double monte_carlo_error = 0.0;        ///< median standard error of the modelled reading
     std::optional<double> emulator_error;  ///< largest, certified, of the share that leaves; engine emulator only
+    std::optional<double> solver_error;    ///< largest stated, of the share that leaves; engine solver only
     std::vector<FittedParameter> free;     ///< in the order of the parameter table; rows of `correlation`
     std::vector<FittedParameter> fixed;    ///< the others, in that order
     Eigen::MatrixXd correlation;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/file.hpp"
+#include "core/geometry.hpp"
 #include "core/input_error.hpp"
 #include "measurements/cell_numbers.hpp"
 #include "measurements/column_choice.hpp"
@@ -70,8 +71,16 @@ void check_values(const SpectrumFile& file, std::string_view text, const ReadOpt
 }  // namespace
 
 void refuse_sigma(const Spectrum& spectrum, std::size_t i, const std::function<ValuePlace(std::size_t)>& place_of) {
-    if (spectrum.sigma.empty() || spectrum.sigma[i] > 0.0) return;
+    if (spectrum.sigma.empty() || sigma_range.contains(spectrum.sigma[i])) return;
     const ValuePlace place = place_of(i);
+    if (spectrum.sigma[i] > 0.0) {
+        throw InputError(
+            {.where = place.where,
+             .problem = fmt::format("{} is {} at {} nm", place.sigma, spectrum.sigma[i], spectrum.wavelength_nm[i]),
+             .why = fmt::format("a standard uncertainty from {} to {} can be weighed, as a fraction",
+                                sigma_range.lowest, sigma_range.highest),
+             .remedy = "correct it, or delete its column and state noise=..."});
+    }
     throw InputError(
         {.where = place.where,
          .problem = fmt::format("{} is {} at {} nm", place.sigma, spectrum.sigma[i], spectrum.wavelength_nm[i]),

@@ -59,17 +59,51 @@ Tabulated PanelBasis::on_panel(Eigen::Index panel, const Eigen::ArrayXd& cosine)
     return p;
 }
 
-Tabulated PanelBasis::at(const Eigen::ArrayXd& cosine) const {
-    Tabulated all{.value = Eigen::MatrixXd::Zero(cosine.size(), size()),
-                  .derivative = Eigen::MatrixXd::Zero(cosine.size(), size())};
+std::vector<PanelRun> PanelBasis::runs(const Eigen::ArrayXd& cosine) const {
+    std::vector<PanelRun> runs;
     for (Eigen::Index i = 0; i < cosine.size(); ++i) {
         const auto above = std::upper_bound(edges.begin() + 1, edges.end() - 1, cosine(i));
         const Eigen::Index panel = above - edges.begin() - 1;
-        const Tabulated p = on_panel(panel, cosine.segment(i, 1));
-        all.value.block(i, panel * order, 1, order) = p.value;
-        all.derivative.block(i, panel * order, 1, order) = p.derivative;
+        if (runs.empty() || runs.back().panel != panel) runs.push_back({.panel = panel, .first = i, .count = 0});
+        ++runs.back().count;
+    }
+    return runs;
+}
+
+Tabulated PanelBasis::at(const Eigen::ArrayXd& cosine) const {
+    Tabulated all{.value = Eigen::MatrixXd::Zero(cosine.size(), size()),
+                  .derivative = Eigen::MatrixXd::Zero(cosine.size(), size())};
+    for (const PanelRun& run : runs(cosine)) {
+        const Tabulated p = on_panel(run.panel, cosine.segment(run.first, run.count));
+        all.value.block(run.first, run.panel * order, run.count, order) = p.value;
+        all.derivative.block(run.first, run.panel * order, run.count, order) = p.derivative;
     }
     return all;
+}
+
+SparselyTabulated PanelBasis::sparsely_at(const Eigen::ArrayXd& cosine) const {
+    SparselyTabulated all{.value{cosine.size(), size()}, .derivative{cosine.size(), size()}};
+    all.value.reserve(Eigen::VectorXi::Constant(cosine.size(), order));
+    all.derivative.reserve(Eigen::VectorXi::Constant(cosine.size(), order));
+    for (const PanelRun& run : runs(cosine)) {
+        const Tabulated p = on_panel(run.panel, cosine.segment(run.first, run.count));
+        for (Eigen::Index i = 0; i < run.count; ++i) {
+            for (Eigen::Index n = 0; n < order; ++n) {
+                all.value.insert(run.first + i, run.panel * order + n) = p.value(i, n);
+                all.derivative.insert(run.first + i, run.panel * order + n) = p.derivative(i, n);
+            }
+        }
+    }
+    return all;
+}
+
+Eigen::ArrayXd PanelBasis::norms() const {
+    Eigen::ArrayXd norms(size());
+    for (Eigen::Index i = 0; i < size(); ++i) {
+        const auto panel = static_cast<std::size_t>(i / order);
+        norms(i) = std::sqrt((2.0 * static_cast<double>(i % order) + 1.0) / (edges[panel + 1] - edges[panel]));
+    }
+    return norms;
 }
 
 Eigen::VectorXd PanelBasis::one() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <vector>
 
 /// Quadrature and polynomials on the range of the cosine, 0 to 1, for the angular solver.
@@ -26,6 +27,19 @@ struct Tabulated {
     Eigen::MatrixXd derivative;
 };
 
+/// The same, of which most are zero.
+struct SparselyTabulated {
+    Eigen::SparseMatrix<double, Eigen::RowMajor> value;
+    Eigen::SparseMatrix<double, Eigen::RowMajor> derivative;
+};
+
+/// Neighbouring cosines of a list that lie in one panel.
+struct PanelRun {
+    Eigen::Index panel;
+    Eigen::Index first;
+    Eigen::Index count;
+};
+
 /// Polynomials of degree below `order` on each panel between neighbouring `edges`, 0 outside it, orthonormal on [0, 1].
 /// Panel after panel, by ascending degree.
 struct PanelBasis {
@@ -36,8 +50,13 @@ struct PanelBasis {
     [[nodiscard]] Eigen::Index size() const { return panels() * order; }
     /// All functions at `cosine`.
     [[nodiscard]] Tabulated at(const Eigen::ArrayXd& cosine) const;
+    [[nodiscard]] SparselyTabulated sparsely_at(const Eigen::ArrayXd& cosine) const;
+    /// `cosine` cut where one and the next lie in different panels.
+    [[nodiscard]] std::vector<PanelRun> runs(const Eigen::ArrayXd& cosine) const;
     /// The functions of one panel at cosines inside it.
     [[nodiscard]] Tabulated on_panel(Eigen::Index panel, const Eigen::ArrayXd& cosine) const;
+    /// What makes Legendre's polynomials orthonormal on their panels.
+    [[nodiscard]] Eigen::ArrayXd norms() const;
     /// The coefficients of the function that is 1 everywhere.
     [[nodiscard]] Eigen::VectorXd one() const;
 };

@@ -76,14 +76,17 @@ void AngularComposition::add_senders(std::size_t space, const AngularSide& side,
     target.block(row, column(side.next, side.heading, space), onward.rows(), onward.cols()) += onward;
 }
 
+AngularComposition::Layered AngularComposition::no_rows(int layer, Index rows) const {
+    return {.above = MatrixXd::Zero(rows, count(layer - 1, Heading::up)),
+            .own = MatrixXd::Zero(rows, count(layer, Heading::down) + count(layer, Heading::up)),
+            .beneath = MatrixXd::Zero(rows, count(layer + 1, Heading::down)),
+            .payoff = Eigen::MatrixX2d::Zero(rows, exits)};
+}
+
 /// The rows of `layer` before the scattering of stratum corneum and epidermis acts on them.
 AngularComposition::Layered AngularComposition::unscattered(int layer, double optical_depth) const {
     const Index down = count(layer, Heading::down);
-    const Index size = down + count(layer, Heading::up);
-    Layered rows{.above = MatrixXd::Zero(size, count(layer - 1, Heading::up)),
-                 .own = MatrixXd::Zero(size, size),
-                 .beneath = MatrixXd::Zero(size, count(layer + 1, Heading::down)),
-                 .payoff = Eigen::MatrixX2d::Zero(size, exits)};
+    Layered rows = no_rows(layer, down + count(layer, Heading::up));
     const auto first_row = [&](Heading heading, std::size_t space) {
         return (heading == Heading::up ? down : 0) + column(layer, heading, space);
     };
@@ -133,14 +136,16 @@ AngularComposition::Layered AngularComposition::layer(Layer layer, double optica
 }
 
 AngularComposition::Above AngularComposition::above_epidermis(double stratum_corneum_depth) const {
-    const Layered first = unscattered(stratum_corneum, stratum_corneum_depth);
-    const Layered rows = scattered(stratum_corneum, first);
+    const Layered rows = layer(Layer::stratum_corneum, stratum_corneum_depth);
     const MatrixXd starts = solved(rows.own, side_by_side(rows.beneath, rows.payoff));
-    const Index size = first_scattered_.size();  // the light enters the first block
-    Eigen::RowVectorXd direct(starts.cols());
-    direct << first_scattered_ * first.beneath.topRows(size), first_scattered_ * first.payoff.topRows(size);
+    Layered first = no_rows(stratum_corneum, 1);
+    const EntryGrid& entry = grid_->entry;
+    const Eigen::ArrayXd surviving =
+        entry.side.nodes.weight * (-stratum_corneum_depth / entry.side.nodes.cosine).exp();  // [KA04, Eq. 5]
+    add_senders(0, entry.side, 0,
+                surviving.matrix().cwiseProduct(entry.polynomials.value * first_scattered_.transpose()), first);
     return {.up = starts.bottomRows(count(stratum_corneum, Heading::up)),
-            .entering = direct + first_scattered_ * first.own.topRows(size) * starts};
+            .entering = side_by_side(first.beneath, first.payoff) + first.own * starts};
 }
 
 AngularComposition::Above AngularComposition::above_dermis(const Above& above, double epidermis_depth) const {

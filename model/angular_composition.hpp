@@ -67,6 +67,7 @@ private:
     [[nodiscard]] Eigen::Index count(int layer, Heading heading) const;
     void add_senders(std::size_t space, const AngularSide& side, Eigen::Index row, const Eigen::MatrixXd& senders,
                      Layered& rows) const;
+    [[nodiscard]] Layered no_rows(int layer, Eigen::Index rows) const;
     [[nodiscard]] Layered unscattered(int layer, double optical_depth) const;
     [[nodiscard]] Layered scattered(int layer, Layered rows) const;
     [[nodiscard]] Layered layer(Layer layer, double optical_depth) const;

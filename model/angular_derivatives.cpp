@@ -3,9 +3,8 @@
 /// The derivatives of the angular solver: the light that arrives at each node times the change of its prospects there.
 namespace skinfit {
 
-void AngularSystem::add_derivatives(std::size_t space, std::size_t index, const ArrivingLight& light,
-                                    AngularShares& shares) const {
-    const AngularSide& side = grid_->sides[index];
+void AngularSystem::add_derivatives(std::size_t space, std::size_t index, const AngularSide& side,
+                                    const ArrivingLight& light, AngularShares& shares) const {
     const InterfaceNodes& nodes = side.nodes;
     const auto layer = static_cast<std::size_t>(side.layer);
     const double depth = medium_->optical_depth[layer];

@@ -25,10 +25,13 @@ struct AngularResolution {
     int rayleigh_terms;  ///< of the expansion of the `printed` Rayleigh kernel; `revised` needs two and has no more
     int points;          ///< quadrature nodes per piece
     int crowded_points;  ///< the same where the integrands are steep
+    int entry_panels;    ///< of the light that enters, before and after its first scattering
 
     /// The coarsest resolution whose shares were found within `accuracy` (1e-3, 1e-4 or 2e-5) of those of 24 panels:
     /// see docs/model.md, "Accuracy and cost", and tests/model/angular_convergence.cpp. Throws InputError below 2e-5.
     [[nodiscard]] static AngularResolution for_accuracy(double accuracy);
+    /// `factor` times as many panels and terms, with which the error of this resolution is estimated.
+    [[nodiscard]] AngularResolution refined(double factor) const;
 };
 
 /// Directions of travel.
@@ -76,6 +79,20 @@ struct StateSpace {
     }
 };
 
+/// The light that has entered, as it arrives at the first interface inside after its first scattering. It may be peaked
+/// where that interface's reflectance bends, so it has panels, finer by far, and nodes of its own.
+struct EntryGrid {
+    std::shared_ptr<const ForwardDeflection> deflection;
+    AngularSide side;               ///< the first side once more
+    SparselyTabulated polynomials;  ///< of `deflection` at the nodes of `side`
+};
+
+/// The rays of one layer that travel in one direction.
+struct LayerHeading {
+    int layer;
+    Heading heading;
+};
+
 struct AngularGrid {
     Eigen::Index exits;  ///< columns per way out
     PanelBasis basis;
@@ -83,10 +100,15 @@ struct AngularGrid {
     Eigen::ArrayXd rayleigh;         ///< coefficients of the Rayleigh kernel
     std::vector<AngularSide> sides;  ///< two per layer: down, up
     std::vector<StateSpace> spaces;  ///< rays of the first enter the second where they bounce, never the other way
+    EntryGrid entry;
 
     /// `viewing_cone_rad` is the half angle about the normal above the sample, up to pi/2, where there is a cone.
     AngularGrid(const Sample& sample, const AngularResolution& resolution, std::optional<double> viewing_cone_rad);
 
+    /// The side of `rays`, with pieces that end at `edges_here` in stratum corneum and epidermis.
+    [[nodiscard]] AngularSide side(const Sample& sample, const AngularResolution& resolution,
+                                   std::optional<double> viewing_cone_rad, const LayerHeading& rays,
+                                   const std::vector<double>& edges_here) const;
     /// The polynomials in which the light of `layer` is expressed, at `cosine`.
     [[nodiscard]] Tabulated polynomials(int layer, const Eigen::ArrayXd& cosine) const;
     /// The space in which a ray of `space` goes on after reflection at `side`.

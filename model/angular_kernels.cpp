@@ -1,6 +1,7 @@
 #include "model/angular_kernels.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <map>
@@ -14,33 +15,62 @@
 namespace skinfit {
 namespace {
 
-/// The mean over all azimuths of each function at the cosine of a ray of cosine `x` deflected by `angle`; the functions
-/// are 0 in the other hemisphere.
-Eigen::RowVectorXd azimuth_mean(double x, double angle, const PanelBasis& basis) {
-    static const Quadrature rule = gauss_legendre(14);
+/// Adds `factor` times Legendre's polynomials of degree below `count`, 4 at most, at `x` to `sums`.
+void add_legendre(double x, double factor, int count, double* sums) {
+    constexpr std::array<double, 3> of_last = {1.0, 3.0 / 2.0, 5.0 / 3.0};  // Bonnet
+    constexpr std::array<double, 3> of_before = {0.0, 1.0 / 2.0, 2.0 / 3.0};
+    assert(count <= 4);
+    sums[0] += factor;
+    double before = 0.0;
+    double last = factor;
+    for (int n = 1; n < count; ++n) {
+        const auto i = static_cast<std::size_t>(n) - 1;
+        const double next = of_last[i] * x * last - of_before[i] * before;
+        sums[n] += next;
+        before = last;
+        last = next;
+    }
+}
+
+/// Adds to `sum`, for each function of the basis without its norm, `weight` times the mean over all azimuths at the
+/// cosine of a ray of cosine `x` deflected by `angle`; the functions are 0 in the other hemisphere.
+void add_azimuth_mean(double x, double angle, double weight, const PanelBasis& basis, Eigen::RowVectorXd& sum) {
+    // Cubic polynomials in the cosine of the azimuth: the short rules are exact to 1e-9 within 1 rad, to 5e-7 within
+    // 0.3.
+    static const Quadrature fine = gauss_legendre(14);
+    static const Quadrature middle = gauss_legendre(6);
+    static const Quadrature coarse = gauss_legendre(3);
     const double along = x * std::cos(angle);
     const double across = std::sqrt(std::max(0.0, 1.0 - x * x)) * std::sin(angle);
     const auto azimuth = [&](double cosine) { return std::acos(std::clamp((cosine - along) / across, -1.0, 1.0)); };
-    Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(basis.size());
-    for (Eigen::Index panel = 0; panel < basis.panels(); ++panel) {
+    const auto above = std::upper_bound(basis.edges.begin() + 1, basis.edges.end() - 1, along - across);
+    Eigen::Index panel = above - basis.edges.begin() - 1;
+    for (double last = azimuth(basis.edges[static_cast<std::size_t>(panel)]); panel < basis.panels(); ++panel) {
         const double first = azimuth(basis.edges[static_cast<std::size_t>(panel) + 1]);
-        const double last = azimuth(basis.edges[static_cast<std::size_t>(panel)]);
-        if (last <= first) continue;
-        const Eigen::ArrayXd cosine = along + across * (first + (last - first) * rule.node).cos();
-        mean.segment(panel * basis.order, basis.order) =
-            (last - first) / pi * rule.weight.matrix().transpose() * basis.on_panel(panel, cosine).value;
+        const double width = last - first;
+        if (width <= 0.0) break;
+        const Quadrature& rule = width > 1.0 ? fine : width > 0.3 ? middle : coarse;
+        const double low = basis.edges[static_cast<std::size_t>(panel)];
+        const double scale = 2.0 / (basis.edges[static_cast<std::size_t>(panel) + 1] - low);
+        double* const sums = &sum(panel * basis.order);
+        for (Eigen::Index q = 0; q < rule.node.size(); ++q) {
+            const double cosine = along + across * std::cos(first + width * rule.node(q));
+            add_legendre(scale * (cosine - low) - 1.0, weight * width / pi * rule.weight(q), basis.order, sums);
+        }
+        last = first;
     }
-    return mean;
 }
 
-/// The mean of `azimuth_mean` over the polar angles from `first` to `last`.
+/// The mean of each function of the basis, without its norm, over all azimuths and the polar angles from `first` to
+/// `last`.
 Eigen::RowVectorXd deflection_mean(double x, double first, double last, const PanelBasis& basis) {
-    static const Quadrature rule = gauss_legendre(12);
+    static const Quadrature rule = gauss_legendre(5);
     // Where the cone of deflected rays touches a panel's edge, the azimuths in the panel change with a square root.
     std::vector<double> ends = {first, last};
     const double polar = std::acos(std::min(x, 1.0));
     for (const double edge : basis.edges) {
-        for (const double touch : {std::abs(polar - std::acos(edge)), polar + std::acos(edge)}) {
+        const double edge_polar = std::acos(edge);
+        for (const double touch : {std::abs(polar - edge_polar), polar + edge_polar}) {
             if (touch > first && touch < last) ends.push_back(touch);
         }
     }
@@ -53,7 +83,7 @@ Eigen::RowVectorXd deflection_mean(double x, double first, double last, const Pa
         for (Eigen::Index q = 0; q < rule.node.size(); ++q) {
             const double t = rule.node(q);
             const double angle = from + width * t * t * (3.0 - 2.0 * t);  // quadratic at both ends
-            sum += width * 6.0 * t * (1.0 - t) * rule.weight(q) * azimuth_mean(x, angle, basis);
+            add_azimuth_mean(x, angle, width * 6.0 * t * (1.0 - t) * rule.weight(q), basis, sum);
         }
         from = end;
     }
@@ -71,20 +101,22 @@ std::shared_ptr<const ForwardKernel> ForwardKernel::of(const PanelBasis& basis) 
     return kernel;
 }
 
-ForwardKernel::ForwardKernel(const PanelBasis& basis) : basis_(basis), one_(basis.one()) {
+ForwardDeflection::ForwardDeflection(PanelBasis basis) : basis_(std::move(basis)), angle_{0.0} {
+    constexpr int pieces_per_row = 4;
     const std::vector<double>& table_deg = embedded_table("forward_scattering").column("polar_angle_deg");
-    angle_.push_back(0.0);
     for (std::size_t row = 1; row < table_deg.size(); ++row) {
         for (int piece = 1; piece <= pieces_per_row; ++piece) {
             const double share = static_cast<double>(piece) / pieces_per_row;
             angle_.push_back(std::lerp(table_deg[row - 1], table_deg[row], share) * rad_per_deg);
         }
     }
+}
+
+ForwardKernel::ForwardKernel(const PanelBasis& basis) : deflection_(basis), one_(basis.one()) {
     const Quadrature rule = gauss_legendre(basis.order + 2);
     const Eigen::Index points = rule.node.size();
     const Eigen::Index nodes = points * basis.panels();
     projection_ = Eigen::MatrixXd::Zero(basis.size(), nodes);
-    segment_.assign(angle_.size() - 1, Eigen::MatrixXd(nodes, basis.size()));
     for (Eigen::Index panel = 0; panel < basis.panels(); ++panel) {
         const double low = basis.edges[static_cast<std::size_t>(panel)];
         const double width = basis.edges[static_cast<std::size_t>(panel) + 1] - low;
@@ -92,7 +124,8 @@ ForwardKernel::ForwardKernel(const PanelBasis& basis) : basis_(basis), one_(basi
         projection_.block(panel * basis.order, panel * points, basis.order, points) =
             basis.on_panel(panel, cosine).value.transpose() * (width * rule.weight).matrix().asDiagonal();
         for (Eigen::Index q = 0; q < points; ++q) {
-            const Eigen::MatrixXd means = segment_means(cosine(q));
+            const Eigen::MatrixXd means = deflection_.segment_means(cosine(q));
+            segment_.resize(static_cast<std::size_t>(means.rows()), Eigen::MatrixXd(nodes, basis.size()));
             for (std::size_t i = 0; i < segment_.size(); ++i) {
                 segment_[i].row(panel * points + q) = means.row(static_cast<Eigen::Index>(i));
             }
@@ -100,7 +133,7 @@ ForwardKernel::ForwardKernel(const PanelBasis& basis) : basis_(basis), one_(basi
     }
 }
 
-Eigen::MatrixXd ForwardKernel::segment_means(double cosine) const {
+Eigen::MatrixXd ForwardDeflection::segment_means(double cosine) const {
     const auto segments = static_cast<Eigen::Index>(angle_.size()) - 1;
     Eigen::MatrixXd means(segments, basis_.size());
     for (Eigen::Index i = 0; i < segments; ++i) {
@@ -108,24 +141,20 @@ Eigen::MatrixXd ForwardKernel::segment_means(double cosine) const {
         const double last = angle_[static_cast<std::size_t>(i) + 1];
         means.row(i) = deflection_mean(cosine, first, last, basis_);
     }
-    return means;
+    return means * scaled(basis_.norms());
 }
 
-Eigen::RowVectorXd ForwardKernel::segment_shares(const ForwardScattering& scattering) const {
-    Eigen::RowVectorXd shares(static_cast<Eigen::Index>(segment_.size()));
-    for (std::size_t i = 0; i < segment_.size(); ++i) {
+Eigen::RowVectorXd ForwardDeflection::segment_shares(const ForwardScattering& scattering) const {
+    Eigen::RowVectorXd shares(static_cast<Eigen::Index>(angle_.size()) - 1);
+    for (std::size_t i = 0; i + 1 < angle_.size(); ++i) {
         shares(static_cast<Eigen::Index>(i)) =
             scattering.share_within(angle_[i + 1]) - scattering.share_within(angle_[i]);
     }
     return shares;
 }
 
-Eigen::RowVectorXd ForwardKernel::mean(const ForwardScattering& scattering, const Eigen::MatrixXd& means) const {
-    return segment_shares(scattering) * means;
-}
-
 Eigen::MatrixXd ForwardKernel::matrix(const ForwardScattering& scattering) const {
-    const Eigen::RowVectorXd shares = segment_shares(scattering);
+    const Eigen::RowVectorXd shares = deflection_.segment_shares(scattering);
     Eigen::MatrixXd kernel = Eigen::MatrixXd::Zero(projection_.cols(), projection_.rows());
     for (std::size_t i = 0; i < segment_.size(); ++i) kernel += shares(static_cast<Eigen::Index>(i)) * segment_[i];
     return projection_ * (kernel * one_).cwiseInverse().asDiagonal() * kernel;

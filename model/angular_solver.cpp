@@ -115,9 +115,11 @@ struct AngularSolver::Wavelength {
 
     static AngularEntry first_scattering(const AngularGrid& grid, const Entry& entry,
                                          const ForwardScattering& scattering) {
-        const Eigen::VectorXd one = grid.basis.one();
-        const Eigen::RowVectorXd mean = grid.kernel->mean(scattering, entry.means);
-        const Eigen::RowVectorXd mean_by_cosine = grid.kernel->mean(scattering, entry.means_by_cosine);
+        const ForwardDeflection& deflection = *grid.entry.deflection;
+        const Eigen::VectorXd one = deflection.basis().one();
+        const Eigen::RowVectorXd shares = deflection.segment_shares(scattering);
+        const Eigen::RowVectorXd mean = shares * entry.means;
+        const Eigen::RowVectorXd mean_by_cosine = shares * entry.means_by_cosine;
         const double forward = mean * one;
         const double forward_by_cosine = mean_by_cosine * one;
         return {.scattered = mean / forward,
@@ -136,10 +138,22 @@ AngularSolver::AngularSolver(const Sample& sample, const AngularSolverOptions& o
 AngularSolver AngularSolver::with(const Skin& skin) const {
     Sample sample = sample_;
     sample.skin = skin;
-    if (refractive_index(skin) != refractive_index(sample_.skin)) return {sample, options_};
     AngularSolver solver = *this;
     solver.sample_ = sample;
+    if (refractive_index(skin) != refractive_index(sample_.skin)) {
+        solver.grid_ = std::make_shared<const AngularGrid>(sample, options_.resolution, options_.viewing_cone_rad);
+    }
+    if (skin.stratum_corneum_refractive_index != sample_.skin.stratum_corneum_refractive_index) {
+        solver.entry_ = std::make_shared<const Entry>(
+            entry(*solver.grid_, skin.stratum_corneum_refractive_index, options_.incidence_rad));
+    }
     return solver;
+}
+
+AngularSolver AngularSolver::refined(double factor) const {
+    AngularSolverOptions options = options_;
+    options.resolution = options_.resolution.refined(factor);
+    return {sample_, options};
 }
 
 AngularSolver::Entry AngularSolver::entry(const AngularGrid& grid, double index, double incidence_rad) {
@@ -157,11 +171,12 @@ AngularSolver::Entry AngularSolver::entry(const AngularGrid& grid, double index,
     // The means depend on the cosine smoothly but for kinks too faint to matter; at normal incidence the cosine does
     // not depend on the index.
     const double step = std::min(1e-5, 0.5 * (1.0 - inside));
-    const Eigen::MatrixXd means = grid.kernel->segment_means(inside);
+    const Eigen::MatrixXd means = grid.entry.deflection->segment_means(inside);
     Eigen::MatrixXd means_by_cosine = Eigen::MatrixXd::Zero(means.rows(), means.cols());
     if (step > 0.0) {
-        means_by_cosine =
-            (grid.kernel->segment_means(inside + step) - grid.kernel->segment_means(inside - step)) / (2.0 * step);
+        means_by_cosine = (grid.entry.deflection->segment_means(inside + step) -
+                           grid.entry.deflection->segment_means(inside - step)) /
+                          (2.0 * step);
     }
     return {.reflectance = 0.5 * (perpendicular * perpendicular + parallel * parallel),
             .reflectance_by_index = perpendicular * perpendicular_by_index + parallel * parallel_by_index,

@@ -52,6 +52,9 @@ public:
     /// The solver of the same sample with another skin; quick when the layers' refractive indices are the same.
     [[nodiscard]] AngularSolver with(const Skin& skin) const;
 
+    /// The solver of the same sample at `factor` times its resolution.
+    [[nodiscard]] AngularSolver refined(double factor) const;
+
     /// The response at one wavelength. Throws InputError outside the tables.
     [[nodiscard]] AngularResponse respond(double wavelength_nm) const;
     /// The same, with all derivatives left at zero.

@@ -30,9 +30,6 @@ AngularSystem::AngularSystem(const AngularGrid& grid, const AngularMedium& mediu
     Eigen::VectorXd entering;
     for (std::size_t s = grid.spaces.size(); s-- > 0;) {
         Assembled system = assemble(s);
-        const StateBlock& first = grid.spaces[s].block(0, Heading::down);
-        const Eigen::MatrixXd first_matrix = system.matrix.middleRows(first.first, first.size);
-        const Eigen::MatrixXd first_payoff = system.payoff.middleRows(first.first, first.size);
         for (int layer = 0; layer < static_cast<int>(Layer::papillary_dermis); ++layer) {
             const Eigen::MatrixXd& forward = medium.forward[static_cast<std::size_t>(layer)];
             for (const Heading heading : {Heading::down, Heading::up}) {
@@ -46,13 +43,34 @@ AngularSystem::AngularSystem(const AngularGrid& grid, const AngularMedium& mediu
         system.matrix = Eigen::MatrixXd::Identity(grid.spaces[s].size, grid.spaces[s].size) - system.matrix;
         inverse[s].compute(system.matrix);
         prospect_[s] = inverse[s].solve(system.payoff);
-        if (s > 0) continue;
-        entering = (entry.scattered * first_matrix).transpose();
-        by_entry_cosine_ = entry.by_cosine * (first_matrix * prospect_[0] + first_payoff);
     }
+    const Assembled first = this->entering();
+    entering = first.matrix.row(0).transpose();
+    by_entry_cosine_ = first.matrix.row(1) * prospect_[0] + first.payoff.row(1);
     for (std::size_t s = 0; s < grid.spaces.size(); ++s) {
         visits_.emplace_back(inverse[s].transpose().solve(s == 0 ? entering : bouncing(s - 1)));
     }
+}
+
+/// The light that has entered as a sender, and its derivative by the cosine at which it has entered as another.
+AngularSystem::Assembled AngularSystem::entering() const {
+    const AngularSide& side = grid_->entry.side;
+    Assembled rows{.matrix = Eigen::MatrixXd::Zero(2, grid_->spaces[0].size),
+                   .payoff = Eigen::MatrixXd::Zero(2, grid_->exits)};
+    Eigen::MatrixXd senders(side.nodes.cosine.size(), 2);
+    senders.col(0) = grid_->entry.polynomials.value * entry_->scattered.transpose();
+    senders.col(1) = grid_->entry.polynomials.value * entry_->by_cosine.transpose();
+    const Eigen::ArrayXd surviving = side.nodes.weight * passing(side.nodes.cosine, medium_->optical_depth[0]);
+    add_senders(0, side, 0, scaled(surviving) * senders, rows);
+    return rows;
+}
+
+ArrivingLight AngularSystem::entering_light() const {
+    const Eigen::ArrayXd none = Eigen::ArrayXd::Zero(grid_->entry.side.nodes.cosine.size());
+    return {.completed = grid_->entry.polynomials.value * entry_->scattered.transpose(),
+            .turned = none,
+            .completed_by_cosine = grid_->entry.polynomials.derivative * entry_->scattered.transpose(),
+            .turned_by_cosine = none};
 }
 
 Eigen::VectorXd AngularSystem::bouncing(std::size_t space) const {
@@ -157,8 +175,7 @@ ArrivingLight AngularSystem::arriving(const RayKind& kind, const Eigen::ArrayXd&
     ArrivingLight light{.completed = none, .turned = none, .completed_by_cosine = none, .turned_by_cosine = none};
     if (!in_dermis(kind.layer)) {
         const Eigen::MatrixXd& forward = medium_->forward[static_cast<std::size_t>(kind.layer)];
-        Eigen::VectorXd sent = forward.transpose() * visits.segment(own.first, own.size);
-        if (kind.space == 0 && kind.layer == 0 && kind.heading == Heading::down) sent += entry_->scattered.transpose();
+        const Eigen::VectorXd sent = forward.transpose() * visits.segment(own.first, own.size);
         light.completed = polynomials.value * sent;
         light.completed_by_cosine = polynomials.derivative * sent;
         return light;
@@ -178,23 +195,29 @@ ArrivingLight AngularSystem::arriving(const RayKind& kind, const Eigen::ArrayXd&
     return light;
 }
 
+void AngularSystem::add_light(std::size_t space, std::size_t index, const AngularSide& side, const ArrivingLight& light,
+                              bool with_derivatives, AngularShares& shares) const {
+    const InterfaceNodes& nodes = side.nodes;
+    const auto layer = static_cast<std::size_t>(side.layer);
+    const Eigen::ArrayXd surviving = passing(nodes.cosine, medium_->optical_depth[layer]);
+    shares.absorbed[layer] += (nodes.weight * light.completed * (1.0 - surviving)).sum();
+    if (side.exit) {
+        const Eigen::ArrayXd arriving = light.completed * surviving + light.turned;
+        const Eigen::ArrayXd leaving = nodes.weight * (1.0 - nodes.reflectance) * arriving;
+        shares.escaped += leaving.tail(nodes.transmitting).matrix().transpose() * side.leaving;
+    }
+    if (with_derivatives) add_derivatives(space, index, side, light, shares);
+}
+
 AngularShares AngularSystem::shares(bool with_derivatives) const {
     AngularShares shares(*grid_);
     shares.by_entry_cosine = by_entry_cosine_;
+    add_light(0, 0, grid_->entry.side, entering_light(), with_derivatives, shares);
     for (std::size_t space = 0; space < grid_->spaces.size(); ++space) {
         for (std::size_t i = 0; i < grid_->sides.size(); ++i) {
             const AngularSide& side = grid_->sides[i];
-            const InterfaceNodes& nodes = side.nodes;
-            const auto layer = static_cast<std::size_t>(side.layer);
-            const ArrivingLight light = arriving({space, side.layer, side.heading}, nodes.cosine, side.own);
-            const Eigen::ArrayXd surviving = passing(nodes.cosine, medium_->optical_depth[layer]);
-            shares.absorbed[layer] += (nodes.weight * light.completed * (1.0 - surviving)).sum();
-            if (side.exit) {
-                const Eigen::ArrayXd arriving = light.completed * surviving + light.turned;
-                const Eigen::ArrayXd leaving = nodes.weight * (1.0 - nodes.reflectance) * arriving;
-                shares.escaped += leaving.tail(nodes.transmitting).matrix().transpose() * side.leaving;
-            }
-            if (with_derivatives) add_derivatives(space, i, light, shares);
+            const ArrivingLight light = arriving({space, side.layer, side.heading}, side.nodes.cosine, side.own);
+            add_light(space, i, side, light, with_derivatives, shares);
         }
     }
     return shares;

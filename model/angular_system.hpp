@@ -17,7 +17,7 @@ struct AngularMedium {
     std::array<Eigen::MatrixXd, 2> forward;  ///< of stratum corneum and epidermis, from ForwardKernel
 };
 
-/// The light after its first scattering in the topmost layer, per polynomial.
+/// The light after its first scattering in the topmost layer, per polynomial of the grid's `entry`.
 struct AngularEntry {
     Eigen::RowVectorXd scattered;
     Eigen::RowVectorXd by_cosine;  ///< derivative by the cosine of the ray that enters
@@ -92,8 +92,13 @@ private:
     [[nodiscard]] Assembled assemble(std::size_t space) const;
     void add_senders(std::size_t space, const AngularSide& side, Eigen::Index first, const Eigen::MatrixXd& senders,
                      Assembled& system) const;
+    [[nodiscard]] Assembled entering() const;
+    [[nodiscard]] ArrivingLight entering_light() const;
     [[nodiscard]] Eigen::VectorXd bouncing(std::size_t space) const;
-    void add_derivatives(std::size_t space, std::size_t index, const ArrivingLight& light, AngularShares& shares) const;
+    void add_light(std::size_t space, std::size_t index, const AngularSide& side, const ArrivingLight& light,
+                   bool with_derivatives, AngularShares& shares) const;
+    void add_derivatives(std::size_t space, std::size_t index, const AngularSide& side, const ArrivingLight& light,
+                         AngularShares& shares) const;
 
     const AngularGrid* grid_;
     const AngularMedium* medium_;

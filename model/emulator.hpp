@@ -53,7 +53,8 @@ public:
     [[nodiscard]] std::size_t wavelength_count() const { return wavelength_count_; }
 
     /// The largest deviation from the angular solver at its default resolution on 2048 specimens of the domain that had
-    /// no part in the making, and half as much again: a share of the incident light; an observation, no proven bound.
+    /// no part in the making, and half as much again, plus the error that the solver states there: a share of the
+    /// incident light; an observation, no proven bound.
     [[nodiscard]] double certified_error(std::size_t wavelength) const;
     /// The largest over all wavelengths.
     [[nodiscard]] double certified_error() const;

@@ -9,6 +9,7 @@
 
 #include "core/input_error.hpp"
 #include "core/stop.hpp"
+#include "model/angular_error.hpp"
 #include "model/angular_solver.hpp"
 #include "model/chebyshev.hpp"
 #include "model/chromophores.hpp"
@@ -32,6 +33,7 @@ struct Wavelength {
     DepthVector test_upper;               // the specimens on which the error is found: all combinations of upper
     DepthVector test_lower;               // and lower layers
     ShareTable test_shares;
+    double solver_error = 0.0;  // the largest that the solver states
 };
 
 ShareTable shares_of(const AngularComposition& composition, const DepthVector& upper, const DepthVector& lower,
@@ -107,11 +109,40 @@ DepthVector specimens(const EmulatorDomain& domain, const Extinction& extinction
     return depths;
 }
 
-Wavelength computed(const AngularSolver& solver, const EmulatorDomain& domain, double wavelength_nm) {
+/// The solver whose shares are expanded, and the finer ones that tell its error.
+struct Solvers {
+    AngularSolver solver;
+    std::array<AngularSolver, finer_resolutions.size()> finer;
+};
+
+/// The largest error that the solver states where the layers absorb least, most and in between: it is largest where
+/// little is absorbed, and changes slowly.
+double solver_error(const Solvers& solvers, const AngularComposition& composition, const DepthBox& box, Side side,
+                    double wavelength_nm) {
+    constexpr double offset = 1e-6;  // chosen: the mean of depths is geometric above it
+    PerLayer<double> middle;
+    for (std::size_t layer = 0; layer < layer_count; ++layer) {
+        middle[layer] = std::sqrt((box.lowest[layer] + offset) * (box.highest[layer] + offset)) - offset;
+    }
+    const DepthVector depths = {box.lowest, middle, box.highest};
+    const ShareTable shares = shares_of(composition, depths, depths, side);
+    std::array<ShareTable, finer_resolutions.size()> finer;
+    for (std::size_t i = 0; i < finer.size(); ++i) {
+        finer[i] = shares_of(solvers.finer[i].composition(wavelength_nm), depths, depths, side);
+    }
+    double largest = 0.0;
+    for (Eigen::Index i = 0; i < shares.size(); ++i) {
+        largest = std::max(largest,
+                           stated_solver_error(shares.data()[i], std::array{finer[0].data()[i], finer[1].data()[i]}));
+    }
+    return largest;
+}
+
+Wavelength computed(const Solvers& solvers, const EmulatorDomain& domain, double wavelength_nm) {
     constexpr int upper_specimens = 32;
     constexpr int lower_specimens = 64;
     const Extinction extinction = Extinction::at(wavelength_nm, domain.sample.edition);
-    const AngularComposition composition = solver.composition(wavelength_nm);
+    const AngularComposition composition = solvers.solver.composition(wavelength_nm);
     Wavelength result{.box = depth_box(domain, extinction),
                       .counts = {},
                       .coefficients = {},
@@ -126,6 +157,7 @@ Wavelength computed(const AngularSolver& solver, const EmulatorDomain& domain, d
     result.coefficients =
         chebyshev_coefficients({values.data(), static_cast<std::size_t>(values.size())}, result.counts);
     result.test_shares = shares_of(composition, result.test_upper, result.test_lower, domain.side);
+    result.solver_error = solver_error(solvers, composition, result.box, domain.side, wavelength_nm);
     return result;
 }
 
@@ -210,7 +242,8 @@ Grouped grouped(const Members& members) {
     return result;
 }
 
-/// Finds the largest deviations on the test specimens and notes them, half as much again for what lies between.
+/// Finds the largest deviations on the test specimens and notes them, half as much again for what lies between, and the
+/// solver's own error.
 void certify(const Members& members, Grouped& grouped) {
     constexpr double margin = 1.5;
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -233,6 +266,9 @@ void certify(const Members& members, Grouped& grouped) {
                 certified = std::max(certified, std::isfinite(deviation) ? deviation : infinity);
             }
         }
+    }
+    for (std::size_t lane = 0; lane < emulator_lanes; ++lane) {
+        grouped.group.certified_error[lane] += members[lane]->solver_error;
     }
 }
 
@@ -257,11 +293,13 @@ void refuse_to_emulate(Parameter parameter) {
 Emulator Emulator::build(const EmulatorDomain& domain, const std::stop_token& stop) {
     check(domain);
     const AngularSolver solver(domain.sample, {.incidence_rad = domain.incidence_rad});
+    const Solvers solvers{.solver = solver,
+                          .finer = {solver.refined(finer_resolutions[0]), solver.refined(finer_resolutions[1])}};
     const std::size_t count = domain.wavelengths_nm.size();
     std::vector<Wavelength> wavelengths(count);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
         leave_if_cancelled(stop);
-        wavelengths[i] = computed(solver, domain, domain.wavelengths_nm[i]);
+        wavelengths[i] = computed(solvers, domain, domain.wavelengths_nm[i]);
     });
     struct Owner {
         std::vector<std::uint8_t> counts;

@@ -173,16 +173,19 @@ BrdfValue brdf(const AngularSpectrum& spectrum, Light light, int polar_bin, std:
     const double total_weight = std::accumulate(spectrum.weights.begin(), spectrum.weights.end(), 0.0);
     double share = 0.0;
     double variance = 0.0;
+    double of_one_ray = 0.0;  // the most that one ray counts
     for (std::size_t i = 0; i < spectrum.counts.size(); ++i) {
         const double weight = spectrum.weights[i] / total_weight;
         const auto rays = static_cast<double>(spectrum.counts[i].totals.rays);
         const double part = static_cast<double>(count_of(spectrum.counts[i], light, first, last)) / rays;
         share += weight * part;
         variance += weight * weight * part * (1.0 - part) / rays;
+        of_one_ray = std::max(of_one_ray, weight / rays);
     }
+    const double standard_error = variance > 0.0 ? std::sqrt(variance) : of_one_ray;
     const double solid_angle =
         spectrum.bins.projected_solid_angle(polar_bin) * static_cast<double>(azimuth_bin ? 1 : spectrum.bins.azimuth);
-    return {.per_sr = share / solid_angle, .standard_error = std::sqrt(variance) / solid_angle};
+    return {.per_sr = share / solid_angle, .standard_error = standard_error / solid_angle};
 }
 
 }  // namespace skinfit

@@ -75,7 +75,7 @@ struct AngularSpectrum {
 };
 
 /// A mean BRDF (BTDF for transmitted light) and its standard error, from the binomial error of its counts; 1/sr.
-/// Both are zero where no ray was counted.
+/// Where no ray was counted, or all were, the error is what one ray counts.
 struct BrdfValue {
     double per_sr = 0.0;
     double standard_error = 0.0;

@@ -1,5 +1,6 @@
 #include "model/path_ensemble.hpp"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/memory.hpp"
 #include "model/recorded_walk.hpp"
 
 namespace skinfit {
@@ -68,6 +70,12 @@ PathEnsemble::PathEnsemble(Parts parts)
 PathEnsemble PathEnsemble::trace(const Sample& sample, const std::vector<double>& wavelengths_nm,
                                  const WalkOptions& options, const std::stop_token& stop) {
     assert(options.rays >= batch_count);
+    constexpr double bytes_per_ray = sizeof(float) * layer_count;
+    // Those of the wavelength in work lie beside the rest before they join it.
+    refuse_beyond_memory(
+        bytes_per_ray * static_cast<double>(options.rays) * static_cast<double>(wavelengths_nm.size() + 1),
+        fmt::format("engine paths, {} rays at {} wavelengths", options.rays, wavelengths_nm.size()),
+        "take fewer rays (rays=...) or wavelengths, or engine=solver, which keeps none");
     const auto lengths = std::make_shared<std::vector<float>>();
     lengths->reserve(wavelengths_nm.size() * options.rays * layer_count);
     const FresnelInterface surface(1.0, sample.skin.stratum_corneum_refractive_index);

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "model/angular_error.hpp"
 #include "model/viewing_cone.hpp"
 
 namespace skinfit {
@@ -81,12 +82,16 @@ std::vector<Reading> read_by_walk(const Experiment& experiment, const std::vecto
         const double reflected_variance =
             seen * seen * viewed + collected * collected * surface - reflected * reflected;
         const double transmitted_variance = transmitted - transmitted * transmitted;
-        const auto standard_error = [&](double variance) { return std::sqrt(std::max(0.0, variance) / (n - 1.0)); };
+        // Where the counts do not scatter because no ray was counted, or all were, the error is what one ray counts.
+        const auto standard_error = [&](double variance, double of_one_ray) {
+            return variance > 0.0 ? std::sqrt(variance / (n - 1.0)) : of_one_ray / n;
+        };
+        const bool lets_through = experiment.base.kind != Base::Kind::hypodermis;
         readings.push_back(reading_of(experiment, wavelengths_nm[i],
                                       {.reflected = seen * viewed,
-                                       .reflected_se = standard_error(reflected_variance),
+                                       .reflected_se = standard_error(reflected_variance, seen),
                                        .transmitted = transmitted,
-                                       .transmitted_se = standard_error(transmitted_variance),
+                                       .transmitted_se = lets_through ? standard_error(transmitted_variance, 1.0) : 0.0,
                                        .surface = surface}));
     }
     return readings;
@@ -102,14 +107,16 @@ AngularSolver angular_solver(const Experiment& experiment, const AngularResoluti
 std::vector<Reading> read_by_solver(const Experiment& experiment, const std::vector<double>& wavelengths_nm) {
     const std::vector<double> true_nm = true_wavelengths_nm(experiment, wavelengths_nm);
     const AngularSolver solver = angular_solver(experiment);
+    const SolverErrorEstimate errors(solver);
     std::vector<Reading> readings;
     for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
         const AngularResponse light = solver.shares(true_nm[i]);
+        const SolverErrors error = errors.at(true_nm[i]);
         readings.push_back(reading_of(experiment, wavelengths_nm[i],
                                       {.reflected = light.viewed.share,
-                                       .reflected_se = 0.0,
+                                       .reflected_se = error.viewed,
                                        .transmitted = light.transmitted.share,
-                                       .transmitted_se = 0.0,
+                                       .transmitted_se = error.transmitted,
                                        .surface = light.surface.share}));
     }
     return readings;

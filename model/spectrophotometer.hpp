@@ -62,10 +62,11 @@ struct ReadingLaw {
 
 /// What the instrument reads at one wavelength, as fractions.
 struct Reading {
-    double wavelength_nm;   ///< as the instrument states it
-    double reflectance;     ///< scale * (subsurface reflectance or its factor + collected surface reflectance) + offset
-    double reflectance_se;  ///< standard error: of random numbers; by the emulator the error it is certified for
-    double transmittance;   ///< scale * transmitted share + offset, whatever the viewing cone
+    double wavelength_nm;  ///< as the instrument states it
+    double reflectance;    ///< scale * (subsurface reflectance or its factor + collected surface reflectance) + offset
+    /// Standard error of random numbers; by the solver the error it states, by the emulator that it is certified for.
+    double reflectance_se;
+    double transmittance;        ///< scale * transmitted share + offset, whatever the viewing cone
     double transmittance_se;     ///< as `reflectance_se`
     double surface_reflectance;  ///< of the surface alone, whether collected or not
 };
@@ -84,7 +85,7 @@ struct Reading {
     const Experiment& experiment,
     const AngularResolution& resolution = AngularResolution::for_accuracy(solver_accuracy));
 
-/// The readings by the angular solver: without noise, so that all standard errors are zero.
+/// The readings by the angular solver: without noise; in place of standard errors they have the solver's stated errors.
 [[nodiscard]] std::vector<Reading> read_by_solver(const Experiment& experiment,
                                                   const std::vector<double>& wavelengths_nm);
 

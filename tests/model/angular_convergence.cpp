@@ -10,7 +10,8 @@
 namespace skinfit {
 namespace {
 
-constexpr AngularResolution beyond_all = {.panels = 24, .rayleigh_terms = 32, .points = 10, .crowded_points = 40};
+constexpr AngularResolution beyond_all = {
+    .panels = 24, .rayleigh_terms = 32, .points = 10, .crowded_points = 40, .entry_panels = 96};
 
 /// The largest error of the shares that escape, 400 to 700 nm.
 double largest_error(const AngularCase& angular, const AngularResolution& resolution, double step_nm) {
@@ -77,7 +78,8 @@ double observed_order(double coarse_error, double fine_error, double refinement)
 
 TEST(ConvergenceOrder, OfPanelsIsTwoAtLeast) {
     const auto panels = [](int count) {
-        return AngularResolution{.panels = count, .rayleigh_terms = 32, .points = 10, .crowded_points = 40};
+        return AngularResolution{
+            .panels = count, .rayleigh_terms = 32, .points = 10, .crowded_points = 40, .entry_panels = 96};
     };
     for (const Edition edition : {Edition::printed, Edition::revised}) {
         const double order = observed_order(typical_error(edition, panels(2)), typical_error(edition, panels(16)), 8.0);
@@ -88,7 +90,8 @@ TEST(ConvergenceOrder, OfPanelsIsTwoAtLeast) {
 
 TEST(ConvergenceOrder, OfRayleighTermsIsTwoAtLeast) {
     const auto terms = [](int count) {
-        return AngularResolution{.panels = 24, .rayleigh_terms = count, .points = 10, .crowded_points = 40};
+        return AngularResolution{
+            .panels = 24, .rayleigh_terms = count, .points = 10, .crowded_points = 40, .entry_panels = 96};
     };
     const double order =
         observed_order(typical_error(Edition::printed, terms(2)), typical_error(Edition::printed, terms(16)), 8.0);

@@ -116,9 +116,9 @@ TEST(ForwardKernel, LosesNoRay) {
     }
 }
 
-TEST(ForwardKernel, MeanCosineFromNormalIncidenceIsThatOfTheTable) {
+TEST(ForwardDeflection, MeanCosineFromNormalIncidenceIsThatOfTheTable) {
     const PanelBasis basis{.edges = {0.0, 0.3, 0.8, 1.0}, .order = 4};
-    const std::shared_ptr<const ForwardKernel> kernel = ForwardKernel::of(basis);
+    const ForwardDeflection deflection(basis);
     const ForwardScattering scattering(Layer::epidermis, 436.0);  // measured: the law has the table's knots
     const std::vector<double>& degrees = embedded_table("forward_scattering").column("polar_angle_deg");
     double expected = 0.0;
@@ -136,7 +136,7 @@ TEST(ForwardKernel, MeanCosineFromNormalIncidenceIsThatOfTheTable) {
         const Eigen::ArrayXd x = basis.edges[panel] + width * rule.node;
         cosine += width * basis.at(x).value.transpose() * (rule.weight * x).matrix();
     }
-    const double mean = kernel->mean(scattering, kernel->segment_means(1.0)) * cosine;
+    const double mean = deflection.segment_shares(scattering) * deflection.segment_means(1.0) * cosine;
     EXPECT_NEAR(mean, expected, rounding);
 
     // Between measured wavelengths the law has knots inside segments: what a segment moves about there, it moves by
@@ -146,7 +146,8 @@ TEST(ForwardKernel, MeanCosineFromNormalIncidenceIsThatOfTheTable) {
     double blended_expected = 0.0;
     for (int i = 0; i < draws; ++i) blended_expected += std::cos(blended.polar_angle((i + 0.5) / draws)) / draws;
     const double segment = 1.25 * rad_per_deg;
-    EXPECT_NEAR(kernel->mean(blended, kernel->segment_means(1.0)) * cosine, blended_expected, segment * segment / 4);
+    EXPECT_NEAR(deflection.segment_shares(blended) * deflection.segment_means(1.0) * cosine, blended_expected,
+                segment * segment / 4);
 }
 
 TEST(RayleighCoefficients, IntegrateToOneAndDecay) {

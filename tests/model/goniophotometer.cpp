@@ -141,6 +141,19 @@ TEST(Goniophotometer, BinsHoldTheDirectionsTheySay) {
     EXPECT_NEAR(hemisphere, pi, 18 * few_roundings * pi);
 }
 
+TEST(Goniophotometer, WhereNoRayIsCountedTheErrorIsWhatOneRayCounts) {
+    const AngularBins bins;
+    AngularSpectrum spectrum{.bins = bins, .counts = {AngularCounts(bins), AngularCounts(bins)}, .weights = {1.0, 3.0}};
+    for (AngularCounts& counts : spectrum.counts) counts.totals.rays = 1000;
+    const BrdfValue none = brdf(spectrum, Light::subsurface, 4, 7);
+    EXPECT_EQ(none.per_sr, 0.0);
+    EXPECT_DOUBLE_EQ(none.standard_error, 0.75 / 1000 / bins.projected_solid_angle(4));
+    spectrum.counts[1].subsurface[bins.index(std::cos(22.5 * rad_per_deg), 0.0)] = 1;
+    const BrdfValue one = brdf(spectrum, Light::subsurface, 4, 0);
+    EXPECT_DOUBLE_EQ(one.per_sr, none.standard_error);
+    EXPECT_NEAR(one.standard_error, none.standard_error, none.standard_error / 1000);
+}
+
 TEST(Goniophotometer, FlatSkinIsAMirror) {
     // Trowbridge-Reitz: the share warped by less than psi is tan^2 psi / (sigma^2 + tan^2 psi). About 42.5 degrees a
     // cone of 2.5 degrees lies within the bin, so at most 1 - share of the rays miss it; at the smallest sigma, 0.001,

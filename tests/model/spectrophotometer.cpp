@@ -32,10 +32,28 @@ TEST(ReadByWalk, OfBlackSkinCountsAShareOfTheRaysThatTheSurfaceReflects) {
         EXPECT_NEAR(reading.reflectance, 1.25 * fraction * surface + 0.01, few_roundings);
         // A share of a binomial count scatters by that share of its scatter.
         const double scatter = std::sqrt(surface * (1.0 - surface) / static_cast<double>(rays - 1));
-        EXPECT_NEAR(reading.reflectance_se, 1.25 * fraction * scatter, few_roundings);
+        const double of_one_ray = 1.0 / rays;  // where none is counted
+        EXPECT_NEAR(reading.reflectance_se, 1.25 * (fraction > 0.0 ? fraction * scatter : of_one_ray), few_roundings);
         EXPECT_EQ(reading.transmittance, 0.01);
         EXPECT_EQ(reading.transmittance_se, 0.0);
     }
+}
+
+TEST(ReadByWalk, WhereNoRayIsCountedTheErrorIsWhatOneRayCounts) {
+    constexpr std::uint64_t rays = 20'000;
+    Experiment experiment = black_skin();
+    experiment.values.instrument = {.specular_fraction = 0.0};
+    experiment.base = {Base::Kind::matched};
+    const Reading reading = read_by_walk(experiment, {450}, rays, 3).front();
+    EXPECT_EQ(reading.reflectance, 0.0);
+    EXPECT_DOUBLE_EQ(reading.reflectance_se, 1.0 / rays);
+    EXPECT_EQ(reading.transmittance, 0.0);
+    EXPECT_DOUBLE_EQ(reading.transmittance_se, 1.0 / rays);
+    experiment.viewing_cone_rad = 0.1;
+    const double sine = std::sin(0.1);
+    EXPECT_DOUBLE_EQ(read_by_walk(experiment, {450}, rays, 3).front().reflectance_se, 1.0 / (rays * sine * sine));
+    experiment.base = {Base::Kind::hypodermis};  // nothing can go through
+    EXPECT_EQ(read_by_walk(experiment, {450}, rays, 3).front().transmittance_se, 0.0);
 }
 
 TEST(Readings, ScaleAndOffsetOfTheInstrumentActOnThemAndTheScaleOnTheirErrors) {
