@@ -110,16 +110,16 @@ std::optional<Abscissa> stated_unit(const std::string& text, const std::vector<s
     return std::nullopt;
 }
 
-
 bool speaks_of_wavenumbers(const std::string& plain) {
-    static constexpr std::array<std::string_view, 4> words = {"wavenumber", "wave number", "wellenzahl", "nombre d'onde"};
+    static constexpr std::array<std::string_view, 4> words = {"wavenumber", "wave number", "wellenzahl",
+                                                              "nombre d'onde"};
     return std::ranges::any_of(words, [&](std::string_view word) { return contains(plain, word); });
 }
 
 bool speaks_of_wavelengths(const std::vector<std::string>& tokens) {
     static constexpr std::array<std::string_view, 2> whole = {"wl", "wvl"};
-    static constexpr std::array<std::string_view, 9> beginnings = {"wave",   "lambda", "wellenl", "longueur", "longitud",
-                                                                   "lunghe", "wvlgth", "wlength", "golfl"};
+    static constexpr std::array<std::string_view, 9> beginnings = {
+        "wave", "lambda", "wellenl", "longueur", "longitud", "lunghe", "wvlgth", "wlength", "golfl"};
     return std::ranges::any_of(tokens, [](const std::string& token) {
         return std::ranges::find(whole, token) != whole.end() ||
                std::ranges::any_of(beginnings, [&](std::string_view word) { return token.starts_with(word); });
@@ -170,10 +170,11 @@ std::vector<double> wavelengths_nm(const Abscissa& abscissa, std::span<const dou
 
 void refuse_unusable(const Abscissa& abscissa, const std::string& where) {
     if (abscissa.unusable.empty()) return;
-    throw InputError({.where = where,
-                      .problem = fmt::format("the spectrum runs along {}", in_quotes(abscissa.unusable)),
-                      .why = "that is neither a wavelength nor a wavenumber, frequency or energy of light with its unit",
-                      .remedy = "export it by wavelength in nm, or name the unit in the header"});
+    throw InputError(
+        {.where = where,
+         .problem = fmt::format("the spectrum runs along {}", in_quotes(abscissa.unusable)),
+         .why = "that is neither a wavelength nor a wavenumber, frequency or energy of light with its unit",
+         .remedy = "export it by wavelength in nm, or name the unit in the header"});
 }
 
 }  // namespace skinfit

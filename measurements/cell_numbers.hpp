@@ -35,7 +35,7 @@ namespace skinfit {
 struct NumberTable {
     std::size_t width = 0;
     std::vector<double> cells;
-    std::vector<bool> holds_words;  ///< for each column: it holds words, or nothing, and no number at all
+    std::vector<bool> holds_words;              ///< for each column: it holds words, or nothing, and no number at all
     std::vector<std::optional<double>> fill{};  ///< for each column: the first number that stands for a missing one
 };
 

@@ -71,9 +71,10 @@ void refuse_spectra_in_rows(const Columns& columns) {
     throw InputError({.where = header_place(columns),
                       .problem = problem,
                       .why = why,
-                      .remedy = planned.is_other_quantity ? "export the reflectance or transmittance, or rename the column if "
-                                                            "it is one: R = 10^-A of an absorbance A"
-                                                          : fmt::format("choose one of the columns {}", list(plan, choices))});
+                      .remedy = planned.is_other_quantity
+                                    ? "export the reflectance or transmittance, or rename the column if "
+                                      "it is one: R = 10^-A of an absorbance A"
+                                    : fmt::format("choose one of the columns {}", list(plan, choices))});
 }
 
 std::size_t find_column(const Columns& columns, const TablePlan& plan, const std::vector<std::size_t>& choices,
@@ -120,8 +121,9 @@ std::vector<std::size_t> checked_value_columns(const Columns& columns, const Tab
         throw InputError({.where = header_place(columns),
                           .problem = "has no column of reflectance or transmittance",
                           .why = other->reason,
-                          .remedy = "export the reflectance or transmittance; of an absorbance A or log(1/R) it is 10^-A. "
-                                    "If it is one of these, correct the word"});
+                          .remedy =
+                              "export the reflectance or transmittance; of an absorbance A or log(1/R) it is 10^-A. "
+                              "If it is one of these, correct the word"});
     }
     throw InputError({.where = header_place(columns),
                       .problem = "has no column of values",

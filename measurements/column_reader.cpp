@@ -10,44 +10,19 @@
 #include <optional>
 #include <span>
 
+#include "core/geometry.hpp"
 #include "core/input_error.hpp"
 #include "measurements/cell_numbers.hpp"
 #include "measurements/cells.hpp"
 #include "measurements/column_choice.hpp"
 #include "measurements/column_store.hpp"
-#include "measurements/columns.hpp"
-#include "measurements/description.hpp"
+#include "measurements/described_table.hpp"
 #include "measurements/readers.hpp"
 #include "measurements/spectrum_building.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
 namespace {
-
-/// A text taken apart, and all that it states.
-struct DescribedTable {
-    Columns columns;
-    FileStatements statements;
-    Description description;
-    TablePlan plan;
-};
-
-DescribedTable described_table(std::string_view text, const std::string& source) {
-    DescribedTable table{.columns = split_columns(text, source), .statements = {}, .description = {}, .plan = {}};
-    const Columns& columns = table.columns;
-    std::vector<Comment> prose = columns.preamble;
-    prose.insert(prose.end(), columns.epilogue.begin(), columns.epilogue.end());
-    table.statements = statements_in(source, columns.comments, prose);
-    if (!columns.epilogue.empty()) {
-        table.statements.remarks.push_back(fmt::format("what follows the readings, from line {} on, is taken as a log",
-                                                       columns.epilogue.front().line));
-    }
-    table.description = read_description(source, columns.comments);
-    const std::vector<FileNote> notes = notes_in(prose);
-    table.description.notes.insert(table.description.notes.end(), notes.begin(), notes.end());
-    table.plan = plan_table(columns, table.statements);
-    return table;
-}
 
 /// One spectrum without its numbers: what its column says, after what the file says about all of them.
 Spectrum described(const DescribedTable& table, const ColumnChoice& choice, std::size_t count) {
@@ -99,11 +74,35 @@ std::string column_in_percent(const DescribedTable& table, const ReadOptions& op
 /// The wavelengths of a column, and the rows of the table that have one. In tables of several columns of wavelengths
 /// these may be of different lengths; elsewhere each row needs its own.
 struct Axis {
-    std::vector<std::size_t> rows;
-    std::vector<double> numbers;  ///< as in the file
-    Grid grid;
-    std::string remark;
+    std::vector<bool> has_number{};  ///< for each row of the table
+    std::vector<std::size_t> rows{};
+    std::vector<double> numbers{};      ///< as in the file
+    std::vector<double> all_numbers{};  ///< and those that are left out
+    Grid grid{};
+    std::string remark{};
 };
+
+/// Where the unit is stated, numbers outside the range of wavelengths are no slip: of the thermal infrared, say. Throws
+/// InputError where nothing else is left.
+void leave_out_far(Axis& axis, const Abscissa& abscissa, const std::string& where) {
+    const std::vector<double> nm = wavelengths_nm(abscissa, axis.numbers);
+    Axis kept;
+    for (std::size_t i = 0; i < nm.size(); ++i) {
+        if (!wavelength_range_nm.contains(nm[i])) continue;
+        kept.rows.push_back(axis.rows[i]);
+        kept.numbers.push_back(axis.numbers[i]);
+    }
+    if (kept.rows.empty()) {
+        throw InputError({.where = where,
+                          .problem = fmt::format("{} to {} {} are {:g} to {:g} nm", axis.numbers.front(),
+                                                 axis.numbers.back(), abscissa.name, nm.front(), nm.back()),
+                          .why = fmt::format("wavelengths lie between {} and {} nm", wavelength_range_nm.lowest,
+                                             wavelength_range_nm.highest),
+                          .remedy = "correct the unit in the header, or measure visible light"});
+    }
+    axis.rows = std::move(kept.rows);
+    axis.numbers = std::move(kept.numbers);
+}
 
 Axis axis_of(const DescribedTable& table, std::size_t wavelength, bool may_end_early) {
     const Columns& columns = table.columns;
@@ -111,14 +110,17 @@ Axis axis_of(const DescribedTable& table, std::size_t wavelength, bool may_end_e
     const NumberTable numbers = read_number_table(columns, wanted);
     Axis axis;
     for (std::size_t row = 0; row < numbers.cells.size(); ++row) {
-        if (std::isnan(numbers.cells[row])) continue;
+        axis.has_number.push_back(!std::isnan(numbers.cells[row]));
+        if (!axis.has_number.back()) continue;
         axis.rows.push_back(row);
         axis.numbers.push_back(numbers.cells[row]);
     }
     if (axis.rows.size() < numbers.cells.size() && !may_end_early) (void)read_numbers(columns, wanted);
     if (axis.rows.empty()) (void)read_numbers(columns, wanted);
+    axis.all_numbers = axis.numbers;
     const Abscissa& abscissa = table.plan.columns[wavelength].abscissa;
     if (!abscissa.is_nm()) {
+        leave_out_far(axis, abscissa, fmt::format("{}: {}", columns.source, label(columns, wavelength)));
         axis.remark = fmt::format("{} to {} {} are read as wavelengths in vacuum", axis.numbers.front(),
                                   axis.numbers.back(), abscissa.name);
     }
@@ -132,16 +134,13 @@ Axis axis_of(const DescribedTable& table, std::size_t wavelength, bool may_end_e
 /// Throws InputError for a value without a wavelength.
 void require_wavelengths(const DescribedTable& table, const Axis& axis, std::size_t column,
                          const std::vector<double>& values) {
-    std::size_t next = 0;
     for (std::size_t row = 0; row < values.size(); ++row) {
-        if (next < axis.rows.size() && axis.rows[next] == row) {
-            ++next;
-        } else if (!std::isnan(values[row])) {
-            throw InputError({.where = at_line(table.columns, table.columns.rows[row].line),
-                              .problem = fmt::format("{} has a value and no wavelength", table.plan.label(column)),
-                              .why = fmt::format("{} is empty there",
-                                                 table.plan.label(table.plan.columns[column].wavelength)),
-                              .remedy = "give it, or delete the value"});
+        if (!axis.has_number[row] && !std::isnan(values[row])) {
+            throw InputError(
+                {.where = at_line(table.columns, table.columns.rows[row].line),
+                 .problem = fmt::format("{} has a value and no wavelength", table.plan.label(column)),
+                 .why = fmt::format("{} is empty there", table.plan.label(table.plan.columns[column].wavelength)),
+                 .remedy = "give it, or delete the value"});
         }
     }
 }
@@ -153,11 +152,11 @@ void require_sigma(const DescribedTable& table, std::size_t column, const Axis& 
         if (std::isnan(readings.value[i]) || !std::isnan(readings.sigma[i])) continue;
         const Row& row = table.columns.rows[axis.rows[i]];
         const std::string_view cell = cutter.cut(row.text)[column];
-        throw InputError({.where = at_line(table.columns, row.line),
-                          .problem = fmt::format("{} is {}", label(table.columns, column),
-                                                 cell.empty() ? "empty" : in_quotes(cell)),
-                          .why = "every value needs its uncertainty",
-                          .remedy = "give it, or delete the column of uncertainties"});
+        throw InputError(
+            {.where = at_line(table.columns, row.line),
+             .problem = fmt::format("{} is {}", label(table.columns, column), cell.empty() ? "empty" : in_quotes(cell)),
+             .why = "every value needs its uncertainty",
+             .remedy = "give it, or delete the column of uncertainties"});
     }
 }
 
@@ -182,7 +181,8 @@ public:
             const std::size_t value_at = at++;
             const std::optional<std::size_t> sigma_at = choice.sigma ? std::optional(at++) : std::nullopt;
             if (numbers.holds_words[value_at]) continue;
-            if (sigma_at && numbers.holds_words[*sigma_at]) (void)read_numbers(table_.columns, std::array{*choice.sigma});
+            if (sigma_at && numbers.holds_words[*sigma_at])
+                (void)read_numbers(table_.columns, std::array{*choice.sigma});
             const std::vector<double> value = store.column(value_at);
             spectra.push_back(read(choice, value, sigma_at ? store.column(*sigma_at) : std::vector<double>{}));
             if (numbers.fill[value_at]) {
@@ -198,13 +198,15 @@ private:
     const Axis& axis_of(std::size_t wavelength) {
         const auto [found, is_new] = axes_.try_emplace(wavelength);
         if (is_new) {
-            const bool paired = std::ranges::count(table_.plan.columns, ColumnRole::wavelength, &PlannedColumn::role) > 1;
+            const bool paired =
+                std::ranges::count(table_.plan.columns, ColumnRole::wavelength, &PlannedColumn::role) > 1;
             found->second = skinfit::axis_of(table_, wavelength, paired);
         }
         return found->second;
     }
 
-    Spectrum read(const ColumnChoice& choice, const std::vector<double>& all_values, const std::vector<double>& all_sigmas) {
+    Spectrum read(const ColumnChoice& choice, const std::vector<double>& all_values,
+                  const std::vector<double>& all_sigmas) {
         const Axis& axis = axis_of(choice.wavelength);
         require_wavelengths(table_, axis, choice.value, all_values);
         std::vector<double> value;
@@ -213,7 +215,7 @@ private:
             value.push_back(all_values[row]);
             if (choice.sigma) sigma.push_back(all_sigmas[row]);
         }
-        if (choice.sole) check_declared(table_.columns.source, table_.statements.declared, axis.numbers, value);
+        if (choice.sole) check_declared(table_.columns.source, table_.statements.declared, axis.all_numbers, value);
         for (double& each : value) each *= table_.statements.factor;
         for (double& each : sigma) each *= table_.statements.factor;
         Spectrum spectrum = described(table_, choice, choices_.size());

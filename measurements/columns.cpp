@@ -22,7 +22,8 @@ namespace {
     throw InputError({.where = at_line(columns, line),
                       .problem = fmt::format("starts with the word {}", in_quotes(word)),
                       .why = "between the header and the last reading, every line is a wavelength and its values",
-                      .remedy = "delete this line or put # in front of it, or leave an empty line before text that stands below the numbers"});
+                      .remedy = "delete this line or put # in front of it, or leave an empty line before text that "
+                                "stands below the numbers"});
 }
 
 [[noreturn]] void refuse_width(const Columns& columns, std::size_t line, std::size_t found, std::size_t first_line,
@@ -113,21 +114,24 @@ void refuse_other_widths(const Columns& columns, const Shape& shape) {
 /// A line right above the numbers whose first word is that of an abscissa names columns; other prose need not.
 bool is_meant_as_header(std::string_view line) {
     const std::string text = lower_case(line);
-    return text.starts_with("wave") || text.starts_with("nm") || is_abscissa_name(text.substr(0, text.find_first_of(",;\t")));
+    return text.starts_with("wave") || text.starts_with("nm") ||
+           is_abscissa_name(text.substr(0, text.find_first_of(",;\t")));
 }
 
-/// The header of a table without one: that of its last comment above the numbers. Between blanks, prose may have as many
-/// words as the table has columns; there its first must be the name of an abscissa.
+/// The header of a table without one: that of its last comment above the numbers. Between blanks, prose may have as
+/// many words as the table has columns; there its first must be the name of an abscissa.
 void take_header_from_comment(Columns& columns) {
     const std::size_t first_row = columns.rows.front().line;
-    const auto below = std::ranges::find_if(columns.comments, [&](const Comment& each) { return each.line > first_row; });
+    const auto below =
+        std::ranges::find_if(columns.comments, [&](const Comment& each) { return each.line > first_row; });
     if (below == columns.comments.begin()) return;
     const auto last = std::prev(below);
     if (!columns.preamble.empty() && columns.preamble.back().line > last->line) return;
     const Row row{.line = last->line, .text = last->text};
     Header header = find_header(std::span(&row, 1), columns.width, columns.separator);
     if (header.lines == 0) return;
-    const bool numbers = std::ranges::any_of(header.names, [](const std::string& name) { return parse_number(name).has_value(); });
+    const bool numbers =
+        std::ranges::any_of(header.names, [](const std::string& name) { return parse_number(name).has_value(); });
     const bool begins_with_abscissa = is_abscissa_name(header.names.front());
     const bool may_be_prose = columns.separator == ' ' || contains(last->text, ":");
     if ((numbers && !begins_with_abscissa) || (may_be_prose && !begins_with_abscissa)) return;
@@ -188,7 +192,7 @@ void drop_empty(std::vector<Row>& rows, char separator) {
 
 /// Where the comment of a line begins, or npos.
 std::size_t find_comment(std::string_view line) {
-    static constexpr std::array<std::string_view, 8> errors = {"#n/a",   "#na",   "#div/0!", "#value!",
+    static constexpr std::array<std::string_view, 8> errors = {"#n/a",  "#na",   "#div/0!", "#value!",
                                                                "#num!", "#ref!", "#name?",  "#null!"};
     const std::size_t content = line.find_first_not_of(" \t\v\f");
     for (std::size_t from = 0;;) {
@@ -198,7 +202,8 @@ std::size_t find_comment(std::string_view line) {
         from = at + 1;
         const bool after_blank = line[at - 1] == ' ' || line[at - 1] == '\t';
         const std::string word = lower_case(line.substr(at, 8));
-        const bool is_error = std::ranges::any_of(errors, [&](std::string_view each) { return word.starts_with(each); });
+        const bool is_error =
+            std::ranges::any_of(errors, [&](std::string_view each) { return word.starts_with(each); });
         const bool inside_quotes = std::ranges::count(line.substr(0, at), '"') % 2 == 1;
         if (after_blank && !is_error && !inside_quotes) return at;
     }

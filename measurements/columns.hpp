@@ -38,14 +38,14 @@ struct Lines {
     std::vector<Row> rows;  ///< all others that hold anything
 };
 
-/// Tells comments from other lines: a `#` begins one where it begins the line or a blank is before it, but not as a part
-/// of `#N/A` and its kin. Throws InputError for binary text.
+/// Tells comments from other lines: a `#` begins one where it begins the line or a blank is before it, but not as a
+/// part of `#N/A` and its kin. Throws InputError for binary text.
 [[nodiscard]] Lines split_comments(std::string_view text, const std::string& source);
 
 /// Takes `text` apart.
 ///
-/// Separator: that of `find_separator`. Separators and `#` inside double quotes are text. The table is what `find_table`
-/// finds.
+/// Separator: that of `find_separator`. Separators and `#` inside double quotes are text. The table is what
+/// `find_table` finds.
 ///
 /// Header: the last line above the numbers, if it starts with a word and names every column; `find_header` states the
 /// dialects. Without one, the last comment above the numbers where it has as many cells, as numpy.savetxt writes it.

@@ -15,53 +15,20 @@ namespace {
 
 using Keys = std::span<const std::string_view>;
 
-/// Letters and digits alone: `Y Units`, `y_units` and `YUNITS` are one key.
-std::string bare(std::string_view key) {
-    std::string letters = lower_case(key);
-    std::erase_if(letters, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; });
-    return letters;
+/// `file:line`; the file alone where the line is 0.
+std::string place(const std::string& source, std::size_t line) {
+    return line > 0 ? fmt::format("{}:{}", source, line) : source;
 }
 
-bool is_one_of(std::string_view key, Keys keys) {
+bool is_key_in(std::string_view key, Keys keys) {
     return std::ranges::find(keys, key) != keys.end();
 }
 
 bool is_abscissa_key(std::string_view key) {
     static constexpr std::array<std::string_view, 14> keys = {
-        "xunits",    "xunit",        "xlabel",     "xaxis",          "xaxisunit",       "xaxisunits", "xaxistitle",
-        "abscissa",  "abscissaunit", "xmode",      "wavelengthunit", "wavelengthunits", "xtitle",     "horizontalaxis"};
-    return is_one_of(bare(key), keys);
-}
-
-std::string_view meaning_of(std::string_view key) {
-    static constexpr std::array<std::string_view, 13> counts = {
-        "npoints", "numberofpoints", "noofpoints", "nrofpoints", "numberofdatapoints", "datapoints", "points",
-        "numpoints", "numberofpixelsinprocessedspectrum", "numberofpixelsinspectrum", "channels", "numberofchannels",
-        "numberofbands"};
-    struct Meaning {
-        std::string_view key;
-        std::string_view meaning;
-    };
-    static constexpr std::array<Meaning, 5> others = {{{"firstx", "first x"},
-                                                       {"lastx", "last x"},
-                                                       {"firsty", "first y"},
-                                                       {"maxy", "largest y"},
-                                                       {"miny", "smallest y"}}};
-    const std::string plain = bare(key);
-    if (is_one_of(plain, counts)) return "count";
-    const auto found = std::ranges::find(others, std::string_view(plain), &Meaning::key);
-    return found == others.end() ? std::string_view{} : found->meaning;
-}
-
-/// 0.01 for `12.34`; of numbers in powers of ten, the step of their mantissa.
-double last_decimal(std::string_view number) {
-    const std::size_t exponent = number.find_first_of("eE");
-    const std::string_view mantissa = number.substr(0, exponent);
-    const std::size_t point = mantissa.find('.');
-    const auto decimals = point == std::string_view::npos ? 0.0 : static_cast<double>(mantissa.size() - point - 1);
-    double power = 0;
-    if (exponent != std::string_view::npos) power = parse_number(number.substr(exponent + 1)).value_or(0);
-    return std::pow(10.0, power - decimals);
+        "xunits",   "xunit",        "xlabel", "xaxis",          "xaxisunit",       "xaxisunits", "xaxistitle",
+        "abscissa", "abscissaunit", "xmode",  "wavelengthunit", "wavelengthunits", "xtitle",     "horizontalaxis"};
+    return is_key_in(bare_key(key), keys);
 }
 
 /// A multiplier, a scale or an offset.
@@ -71,27 +38,27 @@ void take_scale(FileStatements& statements, const std::string& source, std::size
                                                                     "multiplication", "multiplicationfactor"};
     static constexpr std::array<std::string_view, 4> divisors = {"divisor", "divideby", "dividedby", "denominator"};
     static constexpr std::array<std::string_view, 10> ambiguous = {
-        "scale", "scalefactor", "scalingfactor", "reflectancescalefactor", "datascale",
-        "datascalefactor", "xfactor", "datagainvalues", "yscale", "yscalefactor"};
+        "scale",     "scalefactor",     "scalingfactor", "reflectancescalefactor",
+        "datascale", "datascalefactor", "xfactor",       "datagainvalues",
+        "yscale",    "yscalefactor"};
     static constexpr std::array<std::string_view, 2> gains = {"gain", "datagain"};
     static constexpr std::array<std::string_view, 5> offsets = {"offset", "addoffset", "yoffset", "dataoffset",
                                                                 "dataoffsetvalues"};
-    const std::string key = bare(keyed.key);
-    const bool multiplies = is_one_of(key, multipliers);
-    const bool divides = is_one_of(key, divisors);
-    const bool scales = is_one_of(key, ambiguous) || (is_comment && is_one_of(key, gains));
-    const bool shifts = is_one_of(key, offsets) && (is_comment || key != "offset");
+    const std::string key = bare_key(keyed.key);
+    const bool multiplies = is_key_in(key, multipliers);
+    const bool divides = is_key_in(key, divisors);
+    const bool scales = is_key_in(key, ambiguous) || (is_comment && is_key_in(key, gains));
+    const bool shifts = is_key_in(key, offsets) && (is_comment || key != "offset");
     if (!multiplies && !divides && !scales && !shifts) return;
-    const std::string where = fmt::format("{}:{}", source, line);
     const std::optional<double> number = parse_number(keyed.value);
     if (number && *number == (shifts ? 0 : 1)) return;
     if ((multiplies || divides) && number && *number > 0 && std::isfinite(*number)) {
         statements.factor *= multiplies ? *number : 1 / *number;
-        statements.remarks.push_back(fmt::format("line {}: the values are {} by {}, as {} states", line,
+        statements.remarks.push_back(fmt::format("the values are {} by {}, as {} states",
                                                  multiplies ? "multiplied" : "divided", *number, in_quotes(keyed.key)));
         return;
     }
-    throw InputError({.where = where,
+    throw InputError({.where = place(source, line),
                       .problem = fmt::format("states {} of {}", in_quotes(keyed.key), in_quotes(keyed.value)),
                       .why = shifts ? "offsets of text files are not applied, and the values would be wrong without it"
                                     : "whether values are to be multiplied or divided by it, or have been, is not said",
@@ -116,15 +83,17 @@ public:
             return;
         }
         static constexpr std::array<std::string_view, 2> known = {"quantity", "unit"};  // of `Description`
-        if (is_comment_ && is_one_of(keyed->key, known)) return;
+        if (is_comment_ && is_key_in(keyed->key, known)) return;
         if (is_ordinate_key(keyed->key)) take_values(*keyed);
         if (is_abscissa_key(keyed->key)) take_abscissa(*keyed);
         take_scale(statements_, source_, comment_.line, *keyed, is_comment_);
-        take_declared(*keyed);
+        if (const auto declared = declared_by(comment_.line, keyed->key, keyed->value)) {
+            statements_.declared.push_back(*declared);
+        }
     }
 
 private:
-    [[nodiscard]] std::string where() const { return fmt::format("{}:{}", source_, comment_.line); }
+    [[nodiscard]] std::string where() const { return place(source_, comment_.line); }
 
     /// A line of up to three words may be the only one that tells: `Absorbance`, `Raw counts`.
     void take_prose() {
@@ -136,7 +105,8 @@ private:
         }
         if (stated.unusable.empty() || stated.quantity) return;
         const std::string plain = plain_text(comment_.text);
-        for (const std::string_view word : {"absorbance", "log(1/r)", "optical density", "fluorescence", "irradiance"}) {
+        for (const std::string_view word :
+             {"absorbance", "log(1/r)", "optical density", "fluorescence", "irradiance"}) {
             if (!contains(plain, word) || contains(plain, "reflectance") || contains(plain, "transmittance")) continue;
             statements_.remarks.push_back(
                 fmt::format("line {} speaks of {}; the values are read as what the names of their columns say, else as "
@@ -157,7 +127,8 @@ private:
     }
 
     void take_values(const KeyedLine& keyed) {
-        const ValueStatement stated = values_stated_by_letter(keyed.value);
+        ValueStatement stated = values_stated_by_letter(keyed.value);
+        if (!stated.unusable.empty()) stated.unusable = fmt::format("{} {}", keyed.key, keyed.value);
         if (stated.quantity || stated.unit || !stated.unusable.empty()) set_values(stated);
     }
 
@@ -166,18 +137,6 @@ private:
         if (!stated || statements_.abscissa) return;
         statements_.abscissa = stated;
         statements_.abscissa_where = where();
-    }
-
-    void take_declared(const KeyedLine& keyed) {
-        const std::string_view meaning = meaning_of(keyed.key);
-        const std::string_view word = keyed.value.substr(0, keyed.value.find_first_of(" \t(,;"));
-        const std::optional<double> number = parse_number(word);
-        if (meaning.empty() || !number || !std::isfinite(*number)) return;
-        statements_.declared.push_back({.line = comment_.line,
-                                        .key = std::string(keyed.key),
-                                        .meaning = std::string(meaning),
-                                        .number = *number,
-                                        .step = last_decimal(word)});
     }
 
     FileStatements& statements_;
@@ -224,14 +183,47 @@ std::optional<KeyedLine> keyed_line(std::string_view line) {
 }
 
 bool is_ordinate_key(std::string_view key) {
-    static constexpr std::array<std::string_view, 36> keys = {
-        "yunits",          "yunit",         "ylabel",         "yaxis",           "yaxisunit",       "yaxisunits",
-        "yaxistitle",      "ytitle",        "ymode",          "ordinate",        "ordinatemode",    "ordinateunit",
-        "ordinateunits",   "datatype",      "datamode",       "dataunits",       "measurementmode", "measurementtype",
-        "measurement",     "mode",          "type",           "quantity",        "measurand",       "units",
-        "unit",            "spectrumtype",  "spectraltype",   "spectraldatatype", "photometricmode", "measuringmode",
-        "valuetype",       "scantype",      "acquisitionmode", "signaltype",     "spectrometermode", "measuredquantity"};
-    return is_one_of(bare(key), keys);
+    static constexpr std::array<std::string_view, 40> keys = {"technique",
+                                                              "modeunit",
+                                                              "viewmode",
+                                                              "displaymode",
+                                                              "yunits",
+                                                              "yunit",
+                                                              "ylabel",
+                                                              "yaxis",
+                                                              "yaxisunit",
+                                                              "yaxisunits",
+                                                              "yaxistitle",
+                                                              "ytitle",
+                                                              "ymode",
+                                                              "ordinate",
+                                                              "ordinatemode",
+                                                              "ordinateunit",
+                                                              "ordinateunits",
+                                                              "datatype",
+                                                              "datamode",
+                                                              "dataunits",
+                                                              "measurementmode",
+                                                              "measurementtype",
+                                                              "measurement",
+                                                              "mode",
+                                                              "type",
+                                                              "quantity",
+                                                              "measurand",
+                                                              "units",
+                                                              "unit",
+                                                              "spectrumtype",
+                                                              "spectraltype",
+                                                              "spectraldatatype",
+                                                              "photometricmode",
+                                                              "measuringmode",
+                                                              "valuetype",
+                                                              "scantype",
+                                                              "acquisitionmode",
+                                                              "signaltype",
+                                                              "spectrometermode",
+                                                              "measuredquantity"};
+    return is_key_in(bare_key(key), keys);
 }
 
 FileStatements statements_in(const std::string& source, std::span<const Comment> comments,
@@ -243,27 +235,6 @@ FileStatements statements_in(const std::string& source, std::span<const Comment>
     all.insert(all.end(), prose.begin(), prose.end());
     take_specular(statements, all);
     return statements;
-}
-
-void check_declared(const std::string& source, std::span<const Declared> declared, std::span<const double> x,
-                    std::span<const double> y) {
-    for (const Declared& each : declared) {
-        std::optional<double> found;
-        if (each.meaning == "count") found = static_cast<double>(x.size());
-        if (each.meaning == "first x") found = x.front();
-        if (each.meaning == "last x") found = x.back();
-        if (each.meaning == "first y" && !y.empty()) found = y.front();
-        if (each.meaning == "largest y" && !y.empty()) found = std::ranges::max(y);
-        if (each.meaning == "smallest y" && !y.empty()) found = std::ranges::min(y);
-        if (!found || std::isnan(*found)) continue;
-        const double tolerance = each.step + 1e-4 * std::abs(*found);  // of numbers that are rounded for people
-        if (std::abs(*found - each.number) <= (each.meaning == "count" ? 0 : tolerance)) continue;
-        throw InputError({.where = fmt::format("{}:{}", source, each.line),
-                          .problem = fmt::format("{} is {}", each.key, each.number),
-                          .why = each.meaning == "count" ? fmt::format("the table has {} readings", *found)
-                                                         : fmt::format("the {} of the table is {}", each.meaning, *found),
-                          .remedy = "check that the file is complete and unchanged, or delete this line"});
-    }
 }
 
 }  // namespace skinfit

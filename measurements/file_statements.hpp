@@ -9,29 +9,21 @@
 
 #include "measurements/abscissa.hpp"
 #include "measurements/columns.hpp"
+#include "measurements/declared.hpp"
 #include "measurements/value_statement.hpp"
 
 namespace skinfit {
 
-/// A number that a file states about its table, to be held against it.
-struct Declared {
-    std::size_t line;  ///< counted from 1
-    std::string key;   ///< as written
-    std::string meaning;  ///< `count`, `first x`, `last x`, `first y`, `largest y` or `smallest y`
-    double number;
-    double step;  ///< of its last decimal
-};
-
 /// What the lines about a table state of it: the preamble, comments, and the log below it.
 struct FileStatements {
-    ValueStatement values{};               ///< by a key for the ordinate, such as YUNITS, or by a short line of its own
-    std::string values_where{};            ///< `file:line` of that
-    std::optional<Abscissa> abscissa{};    ///< by a key for the abscissa, such as XUNITS
+    ValueStatement values{};             ///< by a key for the ordinate, such as YUNITS, or by a short line of its own
+    std::string values_where{};          ///< `file:line` of that
+    std::optional<Abscissa> abscissa{};  ///< by a key for the abscissa, such as XUNITS
     std::string abscissa_where{};
     std::optional<Specular> specular{};
-    double factor = 1;                     ///< by which the file says its values are to be multiplied, above 0
+    double factor = 1;  ///< by which the file says its values are to be multiplied, above 0
     std::vector<Declared> declared{};
-    std::vector<std::string> remarks{};    ///< what was applied, or is in doubt
+    std::vector<std::string> remarks{};  ///< what was applied, or is in doubt
 };
 
 /// A line of the form `key: value`, `key=value`, `key<tab>value` or `key,value`.
@@ -47,10 +39,5 @@ struct KeyedLine {
 /// Reads them. Throws InputError for a scale, gain or offset that is stated and could mean two things.
 [[nodiscard]] FileStatements statements_in(const std::string& source, std::span<const Comment> comments,
                                            std::span<const Comment> prose);
-
-/// Throws InputError where the table has not the numbers that its file declares. `x` and `y` are as in the file, in
-/// its order; `y` is empty where there are several columns.
-void check_declared(const std::string& source, std::span<const Declared> declared, std::span<const double> x,
-                    std::span<const double> y);
 
 }  // namespace skinfit

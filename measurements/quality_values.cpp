@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cassert>
@@ -93,6 +94,15 @@ std::optional<Finding> dark_everywhere(const Spectrum& spectrum) {
                    .message = fmt::format("nowhere above {:.3g}, which it reaches at {:g} nm; skin exceeds {:g}",
                                           spectrum.value[highest], spectrum.wavelength_nm[highest], darkest_skin),
                    .remedy = "check the white standard, the contact with the skin and that the lamp was on"};
+}
+
+std::optional<Finding> as_read(const Spectrum& spectrum) {
+    if (spectrum.remarks.empty()) return std::nullopt;
+    return Finding{.name = "as_read",
+                   .severity = Severity::note,
+                   .spectrum = spectrum.name,
+                   .message = fmt::format("{}", fmt::join(spectrum.remarks, "; ")),
+                   .remedy = "none is needed where that is right; else correct the file, or state it in comments"};
 }
 
 std::optional<Finding> missing_values(const Spectrum& spectrum) {

@@ -35,10 +35,35 @@ std::string_view without_marks(std::string_view text) {
 
 /// Known prefixes only: `subject 401` is no wavelength.
 std::optional<NumberName> number_name(std::string_view name) {
-    static constexpr std::array<std::string_view, 29> prefixes = {
-        "",    "spec", "spectral", "spectral_nm", "nm",          "wl",     "wv", "wvl", "w",    "wave", "wavelength", "lambda",
-        "l",   "x",    "r",        "refl",        "reflectance", "rfl",    "rho", "%r", "t",    "trans", "transmittance",
-        "%t",  "a",    "abs",      "absorbance",  "wavelength_nm", "lambda_nm"};
+    static constexpr std::array<std::string_view, 29> prefixes = {"",
+                                                                  "spec",
+                                                                  "spectral",
+                                                                  "spectral_nm",
+                                                                  "nm",
+                                                                  "wl",
+                                                                  "wv",
+                                                                  "wvl",
+                                                                  "w",
+                                                                  "wave",
+                                                                  "wavelength",
+                                                                  "lambda",
+                                                                  "l",
+                                                                  "x",
+                                                                  "r",
+                                                                  "refl",
+                                                                  "reflectance",
+                                                                  "rfl",
+                                                                  "rho",
+                                                                  "%r",
+                                                                  "t",
+                                                                  "trans",
+                                                                  "transmittance",
+                                                                  "%t",
+                                                                  "a",
+                                                                  "abs",
+                                                                  "absorbance",
+                                                                  "wavelength_nm",
+                                                                  "lambda_nm"};
     static constexpr std::array<std::string_view, 6> suffixes = {"", "nm", "um", "cm-1", "1/cm", "thz"};
     const std::string plain = plain_text(name);
     const std::size_t begin = plain.find_first_of("0123456789");
@@ -165,7 +190,8 @@ std::optional<RowHeader> row_header_in(std::string_view line, std::size_t number
     for (std::size_t i = 0; i < header.width; ++i) {
         const std::optional<NumberName> named = number_name(all[i]);
         const bool goes_on = first && header.first_value + header.numbers.size() == i;
-        const bool fits = named && (!first || (goes_on && named->prefix == first->prefix && named->suffix == first->suffix));
+        const bool fits =
+            named && (!first || (goes_on && named->prefix == first->prefix && named->suffix == first->suffix));
         if (!fits) {
             header.label.push_back(i);
             header.labels.push_back(unescaped(all[i]));
@@ -179,7 +205,8 @@ std::optional<RowHeader> row_header_in(std::string_view line, std::size_t number
     }
     if (header.label.empty() || header.label.front() != 0 || header.numbers.size() < fewest) return std::nullopt;
     if (!first->suffix.empty()) header.abscissa = abscissa_stated(first->suffix);
-    for (const std::size_t before : {header.first_value, std::size_t{1}}) {  // the label at the numbers, then the corner
+    for (const std::size_t before :
+         {header.first_value, std::size_t{1}}) {  // the label at the numbers, then the corner
         if (header.abscissa || before == 0 || before > header.labels.size()) continue;
         if (is_abscissa_name(header.labels[before - 1])) header.abscissa = abscissa_stated(header.labels[before - 1]);
     }
@@ -204,11 +231,12 @@ void refuse_two_axes(std::string_view text, const std::string& source) {
     const std::optional<double> ratio = range_ratio(found->header, found->below);
     if (!ratio || *ratio >= clearly_wider || *ratio <= 1 / clearly_wider) return;
     const std::vector<double> nm = found->header.wavelength_nm();
-    throw InputError({.where = fmt::format("{}:{}", source, found->header.line),
-                      .problem = fmt::format("the header runs from {} to {}, and the first column may be wavelengths too",
-                                             nm.front(), nm.back()),
-                      .why = "the spectra stand in rows or in columns, and nothing tells in which",
-                      .remedy = "use --reader rows or --reader columns"});
+    throw InputError(
+        {.where = fmt::format("{}:{}", source, found->header.line),
+         .problem = fmt::format("the header runs from {} to {}, and the first column may be wavelengths too",
+                                nm.front(), nm.back()),
+         .why = "the spectra stand in rows or in columns, and nothing tells in which",
+         .remedy = "use --reader rows or --reader columns"});
 }
 
 }  // namespace skinfit

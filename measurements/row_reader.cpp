@@ -79,7 +79,8 @@ private:
             }
         }
         grid_ = make_grid(header.wavelength_nm(), [&](std::size_t i) {
-            return GridPlace{.where = fmt::format("{}:{}", source_, header.line), .which = fmt::format("value {}", i + 1)};
+            return GridPlace{.where = fmt::format("{}:{}", source_, header.line),
+                             .which = fmt::format("value {}", i + 1)};
         });
     }
 
@@ -128,8 +129,8 @@ private:
             const std::string_view cell = cells[header_.first_value + i];
             const std::optional<double> reading = parse_reading(cell, decimal_comma_);
             if (!reading) {
-                refuse_cell(fmt::format("{}:{}", source_, line), fmt::format("the value at {} nm", header_.wavelength_nm()[i]),
-                            cell, decimal_comma_);
+                refuse_cell(fmt::format("{}:{}", source_, line),
+                            fmt::format("the value at {} nm", header_.wavelength_nm()[i]), cell, decimal_comma_);
             }
             if (std::isnan(*reading) && !is_missing(cell)) fill = parse_cell(cell, decimal_comma_);
             row.values.push_back(*reading);

@@ -23,8 +23,8 @@ std::vector<std::size_t> starts_of_runs(std::span<const double> wavelength_nm, d
     return starts;
 }
 
-/// The readings of later detectors at wavelengths that an earlier one has measured; nothing where the wavelengths are no
-/// overlapping runs.
+/// The readings of later detectors at wavelengths that an earlier one has measured; nothing where the wavelengths are
+/// no overlapping runs.
 std::vector<std::size_t> overlaps(std::span<const double> wavelength_nm) {
     constexpr std::size_t fewest_readings = 10;  // chosen: fewer may be a slip in one line
     constexpr std::size_t most_detectors = 6;    // chosen: instruments have up to three or four
@@ -62,8 +62,9 @@ Grid make_grid(std::span<const double> wavelength_nm, const std::function<GridPl
     std::iota(grid.order.begin(), grid.order.end(), std::size_t{0});
     if (const std::vector<std::size_t> left_out = overlaps(wavelength_nm); !left_out.empty()) {
         std::erase_if(grid.order, [&](std::size_t i) { return std::ranges::binary_search(left_out, i); });
-        grid.remark = fmt::format("{} readings from {} to {} nm of a detector that overlaps an earlier one are left out",
-                                  left_out.size(), wavelength_nm[left_out.front()], wavelength_nm[left_out.back()]);
+        grid.remark =
+            fmt::format("{} readings between {} and {} nm, where a detector overlaps the one before it, are left out",
+                        left_out.size(), wavelength_nm[left_out.front()], wavelength_nm[left_out.back()]);
     }
     std::ranges::stable_sort(grid.order, {}, [&](std::size_t i) { return wavelength_nm[i]; });
     for (const std::size_t i : grid.order) grid.wavelength_nm.push_back(wavelength_nm[i]);

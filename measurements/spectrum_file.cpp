@@ -65,10 +65,11 @@ void leave_out_unusable(SpectrumFile& file) {
     const auto first = std::ranges::find_if(file.spectra, is_unusable);
     if (first == file.spectra.end()) return;
     if (std::ranges::all_of(file.spectra, is_unusable)) {
-        throw InputError({.where = first->line > 0 ? fmt::format("{}:{}", file.source, first->line) : file.source,
-                          .problem = fmt::format("{} cannot be used", in_quotes(first->name)),
-                          .why = first->unusable,
-                          .remedy = "export the reflectance or transmittance; of an absorbance A or log(1/R) it is 10^-A"});
+        throw InputError(
+            {.where = first->line > 0 ? fmt::format("{}:{}", file.source, first->line) : file.source,
+             .problem = fmt::format("{} cannot be used", in_quotes(first->name)),
+             .why = first->unusable,
+             .remedy = "export the reflectance or transmittance; of an absorbance A or log(1/R) it is 10^-A"});
     }
     const std::string remark = fmt::format("left out: {} of {} spectra, the first of them {} ({})",
                                            std::ranges::count_if(file.spectra, is_unusable), file.spectra.size(),

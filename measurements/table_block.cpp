@@ -20,8 +20,8 @@ bool is_number(std::string_view cell) {
 
 /// What one line looks like as a row of a table.
 struct Look {
-    std::size_t width = 0;  ///< filled cells
-    bool is_reading = false;  ///< a number first, and another number; between blanks nothing but numbers
+    std::size_t width = 0;     ///< filled cells
+    bool is_reading = false;   ///< a number first, and another number; between blanks nothing but numbers
     bool has_numbers = false;  ///< behind its first cell
 };
 
@@ -35,7 +35,8 @@ Look look_at(const Row& row, char separator) {
     const bool first = is_number(all.front()) || all.front().empty();
     const auto fits = [](std::string_view cell) { return is_number(cell) || is_missing(cell); };
     const bool no_prose = separator != ' ' || std::ranges::all_of(others, fits);
-    const bool holds_one = std::ranges::any_of(others, [&](std::string_view cell) { return !cell.empty() && fits(cell); });
+    const bool holds_one =
+        std::ranges::any_of(others, [&](std::string_view cell) { return !cell.empty() && fits(cell); });
     look.is_reading = first && holds_one && no_prose;
     return look;
 }
@@ -90,7 +91,11 @@ std::size_t find_end(const std::vector<Row>& rows, std::size_t start, char separ
         if (!word && !other_shape) continue;
         const Look look = look_at(rows[k], separator);
         if (look.is_reading) continue;
-        const bool may_be_slip = look.has_numbers && (separator == ' ' ? !after_gap : look.width == width);
+        // A number misspelt holds a digit, as `O400` does; one line alone may be anything.
+        const bool like_a_number =
+            k + 1 == rows.size() || shape.first.find_first_of("0123456789") != std::string_view::npos;
+        const bool may_be_slip =
+            look.has_numbers && like_a_number && (separator == ' ' ? !after_gap : look.width == width);
         const bool readings_follow = [&] {
             for (std::size_t i = k + 1; i < rows.size(); ++i) {
                 const Look other = look_at(rows[i], separator);
@@ -98,7 +103,7 @@ std::size_t find_end(const std::vector<Row>& rows, std::size_t start, char separ
             }
             return false;
         }();
-        const bool told = after_gap || !look.has_numbers || ends_a_table(rows[k].text);
+        const bool told = after_gap || !look.has_numbers || !like_a_number || ends_a_table(rows[k].text);
         return !may_be_slip && !readings_follow && told ? k : rows.size();
     }
     return rows.size();

@@ -9,27 +9,12 @@
 
 #include "core/input_error.hpp"
 #include "measurements/cells.hpp"
+#include "measurements/column_words.hpp"
 #include "measurements/uncertainty_name.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
 namespace {
-
-/// Row numbers and names of readings, whatever stands around them.
-bool counts_readings(std::string_view name) {
-    static constexpr std::array<std::string_view, 12> words = {"index", "pixel", "pixels", "band", "bands", "channel",
-                                                               "row",   "#",     "no.",    "no",   "nr",    "line"};
-    return std::ranges::find(words, plain_text(name)) != words.end();
-}
-
-/// The same, and names of specimens, in front of the wavelengths.
-bool is_label_in_front(std::string_view name) {
-    static constexpr std::array<std::string_view, 14> words = {"id",     "sample", "n",     "i",    "number", "rownames", "",
-                                                               "sample number", "sample no", "name", "date", "time", "level_0", "idx"};
-    const std::string plain = plain_text(name);
-    return counts_readings(name) || plain.starts_with("unnamed") || plain.starts_with("sample") ||
-           std::ranges::find(words, plain) != words.end();
-}
 
 class Planner {
 public:
@@ -95,9 +80,9 @@ private:
         keep_one_of_neighbours(found);
         plan_.first_wavelength = found.front();
         for (const std::size_t c : found) {
-            refuse_unusable(plan_.columns[c].abscissa,
-                            plan_.columns[c].abscissa.named_by_unit || !statements_.abscissa ? header_place()
-                                                                                            : statements_.abscissa_where);
+            refuse_unusable(plan_.columns[c].abscissa, plan_.columns[c].abscissa.named_by_unit || !statements_.abscissa
+                                                           ? header_place()
+                                                           : statements_.abscissa_where);
         }
         for (std::size_t c = 0; c < columns_.width; ++c) {
             const auto behind = std::ranges::find_if(found, [c](std::size_t w) { return w > c; });
@@ -108,7 +93,8 @@ private:
     [[nodiscard]] Abscissa abscissa_of(std::size_t c) const {
         const std::optional<Abscissa> named = abscissa_stated(header(c));
         const std::optional<Abscissa>& stated = statements_.abscissa;
-        const bool contradict = named && stated && named->named_by_unit && stated->named_by_unit && named->name != stated->name;
+        const bool contradict =
+            named && stated && named->named_by_unit && stated->named_by_unit && named->name != stated->name;
         if (contradict) {
             throw InputError({.where = header_place(),
                               .problem = fmt::format("its wavelengths are in {}", named->name),
@@ -181,14 +167,14 @@ private:
         take_raw_neighbours();
     }
 
-    /// Beside a column that is called a reflectance or transmittance, these are the signals that it was made of.
+    /// Beside a column that is called a reflectance or transmittance stand the signals that it was made of.
     void take_raw_neighbours() {
-        static constexpr std::array<std::string_view, 8> words = {"dark", "white", "sample", "target", "lamp", "light", "scope", "object"};
         const bool named = std::ranges::any_of(plan_.columns, [](const PlannedColumn& column) {
             return column.role == ColumnRole::value && column.states.quantity.has_value();
         });
-        for (std::size_t c = 0; c < columns_.names.size() && named; ++c) {
-            if (!is(c, ColumnRole::value) || std::ranges::find(words, plain_base(header(c))) == words.end()) continue;
+        for (std::size_t c = 0; c < columns_.names.size(); ++c) {
+            const bool raw = (named && is_raw_beside_quantity(header(c))) || is_raw_of_jaz(columns_.names, c);
+            if (!is(c, ColumnRole::value) || !raw) continue;
             leave_out(c, "beside a reflectance or transmittance it is a raw signal");
             plan_.columns[c].is_other_quantity = true;
         }
@@ -233,9 +219,8 @@ private:
         }
         for (const auto& [value, uncertainties] : of_value) plan_.columns[value].sigma = best_of(uncertainties);
         for (const Uncertainty& each : all) {
-            const bool used = std::ranges::any_of(of_value, [&](const auto& owned) {
-                return plan_.columns[owned.first].sigma == each.column;
-            });
+            const bool used = std::ranges::any_of(
+                of_value, [&](const auto& owned) { return plan_.columns[owned.first].sigma == each.column; });
             if (!used && !values.empty()) leave_out(each.column, "it is the uncertainty of no column that is read");
         }
     }
@@ -243,7 +228,8 @@ private:
     /// The columns that uncertainties belong to which name none of them: the one before; or, alone of their kind and at
     /// an end of the table, all.
     [[nodiscard]] static std::vector<std::size_t> owners_by_place(const Uncertainty& each,
-                                                                  const std::vector<std::size_t>& values, bool is_alone) {
+                                                                  const std::vector<std::size_t>& values,
+                                                                  bool is_alone) {
         const auto behind = std::ranges::upper_bound(values, each.column);
         const bool names_another = !each.name.base.empty();
         if (names_another && (values.size() != 1 || each.column != values.front() + 1)) return {};
@@ -252,7 +238,9 @@ private:
     }
 
     [[nodiscard]] std::size_t best_of(const std::vector<const Uncertainty*>& uncertainties) const {
-        const auto weight = [](const Uncertainty* each) { return each->name.rank + (each->name.base.empty() ? 100 : 0); };
+        const auto weight = [](const Uncertainty* each) {
+            return each->name.rank + (each->name.base.empty() ? 100 : 0);
+        };
         const auto best = std::ranges::min_element(uncertainties, {}, weight);
         for (auto other = std::next(best); other != uncertainties.end(); ++other) {
             if (weight(*other) != weight(*best)) continue;
@@ -270,7 +258,7 @@ private:
 
     void tell_unused() {
         constexpr std::size_t most = 5;
-        std::map<std::string_view, std::vector<std::string>> by_reason;
+        std::map<std::string, std::vector<std::string>> by_reason;
         for (std::size_t c = 0; c < columns_.width; ++c) {
             const PlannedColumn& column = plan_.columns[c];
             if (column.role != ColumnRole::unused) continue;

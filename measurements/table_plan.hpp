@@ -18,14 +18,14 @@ enum class ColumnRole { wavelength, value, sigma, unused };
 /// One column and what its name, and the lines about the table, state of it.
 struct PlannedColumn {
     ColumnRole role = ColumnRole::value;
-    std::string name{};                 ///< by which it is chosen; that of its title line where names are repeated
-    std::string reason{};               ///< of `unused`: why
-    bool is_other_quantity = false;     ///< unused because it is neither reflectance nor transmittance
-    ValueStatement states{};            ///< of `value`
-    std::optional<Specular> specular{}; ///< of `value`
-    std::size_t wavelength = 0;         ///< of `value` and `sigma`: the column of its wavelengths
-    std::optional<std::size_t> sigma{}; ///< of `value`: the column of its standard uncertainties
-    Abscissa abscissa{.name = "nm"};    ///< of `wavelength`
+    std::string name{};                  ///< by which it is chosen; that of its title line where names are repeated
+    std::string reason{};                ///< of `unused`: why
+    bool is_other_quantity = false;      ///< unused because it is neither reflectance nor transmittance
+    ValueStatement states{};             ///< of `value`
+    std::optional<Specular> specular{};  ///< of `value`
+    std::size_t wavelength = 0;          ///< of `value` and `sigma`: the column of its wavelengths
+    std::optional<std::size_t> sigma{};  ///< of `value`: the column of its standard uncertainties
+    Abscissa abscissa{.name = "nm"};     ///< of `wavelength`
 };
 
 /// All columns of a table, in the order of the file.

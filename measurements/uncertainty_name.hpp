@@ -9,8 +9,8 @@ namespace skinfit {
 /// What the name of a column of uncertainties says.
 struct UncertaintyName {
     std::string base{};  ///< the column it belongs to, as `plain_base` writes its name; empty where it names none
-    /// Of several about one column the lowest is used: 0 sigma, u, uncertainty; 1 a standard error; 2 a standard deviation
-    /// of single readings; 3 an error.
+    /// Of several about one column the lowest is used: 0 sigma, u, uncertainty; 1 a standard error; 2 a standard
+    /// deviation of single readings; 3 an error.
     int rank = 0;
     bool is_standard = true;  ///< false for expanded and relative ones, variances
 };

@@ -31,7 +31,8 @@ UnitFinding find_unit(const UnitStatements& statements, std::span<const double> 
     if (2 * static_cast<std::size_t>(exceeding) >= values.size()) return {.unit = Unit::percent, .rule = most_exceed};
     if (!statements.percent_in.empty()) {
         return {.unit = Unit::percent,
-                .rule = fmt::format("percent: one unit for a table, and {} is in percent", in_quotes(statements.percent_in))};
+                .rule = fmt::format("percent: one unit for a table, and {} is in percent",
+                                    in_quotes(statements.percent_in))};
     }
     return {.unit = Unit::fraction, .rule = few_exceed};
 }

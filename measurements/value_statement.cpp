@@ -54,15 +54,14 @@ std::string without_unit(std::string text) {
 /// Computed from a reflectance or measured instead of one, whatever other words stand beside.
 bool is_never_usable(const std::string& text, const std::vector<std::string>& tokens) {
     static constexpr std::array<std::string_view, 17> words = {
-        "abs",    "od",     "dn",        "dns",         "log", "log10", "ln",        "ks", "logr",
-        "counts", "count",  "extinction", "derivative", "snv", "rfu",   "emittance", "adu"};
+        "abs",    "od",    "dn",         "dns",        "log", "log10", "ln",        "ks", "logr",
+        "counts", "count", "extinction", "derivative", "snv", "rfu",   "emittance", "adu"};
     static constexpr std::array<std::string_view, 12> beginnings = {
         "absorb",   "absorp",  "radianc",    "irradian",   "fluoresc",  "luminesc",
         "phosphor", "kubelka", "emissivity", "extinktion", "derivativ", "luminance"};
     static constexpr std::array<std::string_view, 20> phrases = {
-        "log(1/", "log1/",   "log10(",  "log(r",  "-log",  "ln(1/", "ln(r",   "k/s",      "f(r)",     "w/m",
-        "w/cm",   "w/(m",    "w/sr",    "w.m-2",  "umol",  "1-refl", "1-r/",  "1/refl",   "opticaldens",
-        "digitalnumber"};
+        "log(1/", "log1/", "log10(", "log(r", "-log", "ln(1/",  "ln(r", "k/s",    "f(r)",        "w/m",
+        "w/cm",   "w/(m",  "w/sr",   "w.m-2", "umol", "1-refl", "1-r/", "1/refl", "opticaldens", "digitalnumber"};
     const std::string packed = compact(text);
     return any_is_one_of(tokens, words) || any_starts_with(tokens, beginnings) ||
            std::ranges::any_of(phrases, [&](std::string_view phrase) { return contains(packed, phrase); }) ||
@@ -74,14 +73,19 @@ bool is_raw_signal(const std::string& text, const std::vector<std::string>& toke
     static constexpr std::array<std::string_view, 8> words = {"intensity", "intensities", "emission", "scope",
                                                               "voltage",   "photons",     "raman",    "scattering"};
     static constexpr std::array<std::string_view, 12> whole = {
-        "raw",       "raw data", "raw signal",      "signal",          "dark signal",    "dark current",
-        "reference", "ref",      "white reference", "dark reference",  "background",     "baseline"};
+        "raw",       "raw data", "raw signal",      "signal",         "dark signal", "dark current",
+        "reference", "ref",      "white reference", "dark reference", "background",  "baseline"};
     return any_is_one_of(tokens, words) || is_one_of(without_unit(text), whole);
 }
 
 std::optional<Quantity> quantity_of(const std::string& text, const std::vector<std::string>& tokens) {
-    static constexpr std::array<std::string_view, 6> reflecting = {"refle", "refl", "remission", "remittance",
-                                                                   "riflett", "r\xC3\xA9""flect"};
+    static constexpr std::array<std::string_view, 6> reflecting = {"refle",
+                                                                   "refl",
+                                                                   "remission",
+                                                                   "remittance",
+                                                                   "riflett",
+                                                                   "r\xC3\xA9"
+                                                                   "flect"};
     static constexpr std::array<std::string_view, 3> transmitting = {"transmi", "transm", "trasmitt"};
     static constexpr std::array<std::string_view, 1> trans = {"trans"};
     const std::string packed = compact(text);
@@ -131,7 +135,8 @@ bool is_scaled(const std::string& text) {
     for (const std::string_view mark : {"x10", "*10", "/10", "x1e", "*1e", "/1e"}) {
         const std::size_t at = packed.find(mark);
         if (at == std::string::npos) continue;
-        const bool inside_a_word = mark.front() == 'x' && at > 0 && std::isalpha(static_cast<unsigned char>(packed[at - 1]));
+        const bool inside_a_word =
+            mark.front() == 'x' && at > 0 && std::isalpha(static_cast<unsigned char>(packed[at - 1]));
         const std::string_view number = std::string_view(packed).substr(at + 1);
         const std::size_t size = std::min(number.find_first_not_of("0123456789e"), number.size());
         if (!inside_a_word && size >= 2 && number.substr(0, size) != "100") return true;

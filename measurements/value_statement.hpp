@@ -18,11 +18,12 @@ struct ValueStatement {
     std::string unusable{};  ///< the words by which the values are neither reflectance nor transmittance, or scaled
 };
 
-/// Reads words such as `Reflect. [1.0]`, `%R`, `log(1/R)`, `Norm. DN (Target)` or `Reflectance x10000`. What was derived
-/// from a reflectance, as its absorbance, is unusable though the word reflectance stands beside it.
+/// Reads words such as `Reflect. [1.0]`, `%R`, `log(1/R)`, `Norm. DN (Target)` or `Reflectance x10000`. What was
+/// derived from a reflectance, as its absorbance, is unusable though the word reflectance stands beside it.
 [[nodiscard]] ValueStatement values_stated(std::string_view text);
 
-/// The same, and what `R`, `T` or `A` states where it is all that stands there beside a unit: the letter of the quantity.
+/// The same, and what `R`, `T` or `A` states where it is all that stands there beside a unit: the letter of the
+/// quantity.
 [[nodiscard]] ValueStatement values_stated_by_letter(std::string_view text);
 
 /// Whether the letters `R`, `T` and `A` among names are quantities: not where other single letters stand beside them.

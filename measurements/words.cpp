@@ -25,8 +25,8 @@ std::string in_quotes(std::string_view text) {
 
 bool is_missing(std::string_view cell) {
     static constexpr std::array<std::string_view, 30> words = {
-        "nan",  "na",   "n/a",  "+nan",  "-nan",   "null",   "none",    "nil",      "missing", "n.a.",
-        "<na>", "-",    "--",   "---",   ".",      "*",      "**",      "***",      "#n/a",    "#na",
+        "nan",  "na",   "n/a",  "+nan",  "-nan",   "null",    "none",    "nil",      "missing", "n.a.",
+        "<na>", "-",    "--",   "---",   ".",      "*",       "**",      "***",      "#n/a",    "#na",
         "inf",  "+inf", "-inf", "#num!", "#null!", "#value!", "#div/0!", "infinity", "#ref!",   "#name?"};
     if (cell.empty()) return true;
     if (is_digit(cell.back()) && cell.find('#') == std::string_view::npos) return false;  // the usual number, soon told
@@ -39,29 +39,29 @@ bool is_missing(std::string_view cell) {
 }
 
 bool is_fill_number(double number) {
-    static constexpr std::array<double, 15> numbers = {-99,   -999,   -9999,  -99999, -999999,    9999,        99999, 999999,
-                                                       -99.9, -999.9, -99.99, -32768, -32767, -2147483648.0, -9999.9};
+    static constexpr std::array<double, 15> numbers = {-99,    -999,   -9999,  -99999,        -999999,
+                                                       9999,   99999,  999999, -99.9,         -999.9,
+                                                       -99.99, -32768, -32767, -2147483648.0, -9999.9};
     if (number > -90 && number < 9000) return false;
     constexpr double beyond_any_reading = 1e19;
     return std::abs(number) >= beyond_any_reading || std::ranges::find(numbers, number) != numbers.end();
 }
 
 std::string plain_text(std::string_view text) {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 14> signs = {
-        {{"\u00b5", "u"},
-         {"\u03bc", "u"},
-         {"\u207b\u00b9", "-1"},
-         {"\u207b\u00b2", "-2"},
-         {"\u2212", "-"},
-         {"\u00b2", "2"},
-         {"\u00d7", "x"},
-         {"\u00b7", "."},
-         {"\u03bb", "lambda"},
-         {"\u00c5", "angstrom"},
-         {"\u212b", "angstrom"},
-         {"\u03c3", "sigma"},
-         {"\u00b1", "+/-"},
-         {"\u00a0", " "}}};
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 14> signs = {{{"\u00b5", "u"},
+                                                                                             {"\u03bc", "u"},
+                                                                                             {"\u207b\u00b9", "-1"},
+                                                                                             {"\u207b\u00b2", "-2"},
+                                                                                             {"\u2212", "-"},
+                                                                                             {"\u00b2", "2"},
+                                                                                             {"\u00d7", "x"},
+                                                                                             {"\u00b7", "."},
+                                                                                             {"\u03bb", "lambda"},
+                                                                                             {"\u00c5", "angstrom"},
+                                                                                             {"\u212b", "angstrom"},
+                                                                                             {"\u03c3", "sigma"},
+                                                                                             {"\u00b1", "+/-"},
+                                                                                             {"\u00a0", " "}}};
     std::string plain = lower_case(text);
     if (std::ranges::all_of(plain, [](char c) { return static_cast<unsigned char>(c) < 0x80; })) return plain;
     for (const auto& [sign, meaning] : signs) {

@@ -18,7 +18,8 @@ namespace skinfit {
 /// extremes of integers, and anything beyond 1e19 either way, as NetCDF's 9.97e36 or the -1.23e34 of the USGS.
 [[nodiscard]] bool is_fill_number(double number);
 
-/// In lower case, with the signs that stand for letters, digits or blanks as these: `\u00b5` as u, `\u207b\u00b9` as -1,
+/// In lower case, with the signs that stand for letters, digits or blanks as these: `\u00b5` as u, `\u207b\u00b9` as
+/// -1,
 /// `\u03bb` as lambda, also in Latin-1.
 [[nodiscard]] std::string plain_text(std::string_view text);
 
