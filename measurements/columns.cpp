@@ -10,6 +10,7 @@
 #include "core/text.hpp"
 #include "measurements/abscissa.hpp"
 #include "measurements/cells.hpp"
+#include "measurements/file_statements.hpp"
 #include "measurements/header.hpp"
 #include "measurements/limits.hpp"
 #include "measurements/table_block.hpp"
@@ -133,7 +134,8 @@ void take_header_from_comment(Columns& columns) {
     const bool numbers =
         std::ranges::any_of(header.names, [](const std::string& name) { return parse_number(name).has_value(); });
     const bool begins_with_abscissa = is_abscissa_name(header.names.front());
-    const bool may_be_prose = columns.separator == ' ' || contains(last->text, ":");
+    const bool may_be_prose =
+        columns.separator == ' ' || !contains(last->text, {&columns.separator, 1}) || contains(last->text, ":");
     if ((numbers && !begins_with_abscissa) || (may_be_prose && !begins_with_abscissa)) return;
     columns.names = std::move(header.names);
     columns.header_line = last->line;
@@ -154,6 +156,7 @@ void refuse_slip_in_first_row(const Columns& columns, std::span<const Row> words
     if (words.size() < 2) return;
     CellCutter cutter(columns.separator);
     const std::span<const std::string_view> cells = cutter.cut(words.back().text);
+    if (is_statement_key(cells.front())) return;
     const bool has_numbers =
         std::ranges::any_of(cells.subspan(1), [](std::string_view cell) { return parse_number(cell).has_value(); });
     if (!has_numbers || find_header(words.first(words.size() - 1), width, columns.separator).lines == 0) return;
@@ -169,7 +172,7 @@ void take_words(Columns& columns, std::span<const Row> words, const Shape& shape
     const std::size_t named_width = std::min(last.size(), std::max(filled_width(last), shape.widest));
     if (named_width <= shape.first_width && named_width >= shape.widest) columns.width = named_width;
     refuse_slip_in_first_row(columns, words, columns.width);
-    Header header = find_header(words, columns.width, columns.separator);
+    Header header = is_statement_key(last.front()) ? Header{} : find_header(words, columns.width, columns.separator);
     if (header.lines == 0 && is_meant_as_header(words.back().text)) {
         header = {.lines = 1, .names = {last.begin(), last.begin() + static_cast<std::ptrdiff_t>(named_width)}};
         columns.width = named_width;

@@ -77,7 +77,7 @@ void check_declared(const std::string& source, std::span<const Declared> declare
         if (each.meaning == "largest y" && !y.empty()) found = std::ranges::max(y);
         if (each.meaning == "smallest y" && !y.empty()) found = std::ranges::min(y);
         if (!found || std::isnan(*found)) continue;
-        const double tolerance = each.step + 1e-4 * std::abs(*found);  // of numbers that are rounded for people
+        const double tolerance = 0.6 * each.step + 1e-4 * std::abs(*found);  // of numbers that are rounded for people
         if (std::abs(*found - each.number) <= (each.meaning == "count" ? 0 : tolerance)) continue;
         throw InputError({.where = fmt::format("{}:{}", source, each.line),
                           .problem = fmt::format("{} is {}", each.key, each.number),

@@ -226,6 +226,10 @@ bool is_ordinate_key(std::string_view key) {
     return is_key_in(bare_key(key), keys);
 }
 
+bool is_statement_key(std::string_view key) {
+    return is_ordinate_key(key) || is_abscissa_key(key) || declared_by(0, key, "1").has_value();
+}
+
 FileStatements statements_in(const std::string& source, std::span<const Comment> comments,
                              std::span<const Comment> prose) {
     FileStatements statements;

@@ -36,6 +36,9 @@ struct KeyedLine {
 /// True for keys of the ordinate, as YUNITS, Mode, Measurement type or Quantity.
 [[nodiscard]] bool is_ordinate_key(std::string_view key);
 
+/// True for keys that `statements_in` reads: a line that begins with one is no header of a table.
+[[nodiscard]] bool is_statement_key(std::string_view key);
+
 /// Reads them. Throws InputError for a scale, gain or offset that is stated and could mean two things.
 [[nodiscard]] FileStatements statements_in(const std::string& source, std::span<const Comment> comments,
                                            std::span<const Comment> prose);

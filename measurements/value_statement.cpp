@@ -132,14 +132,13 @@ bool is_scaled(const std::string& text) {
         contains(packed, "10**")) {
         return true;
     }
-    for (const std::string_view mark : {"x10", "*10", "/10", "x1e", "*1e", "/1e"}) {
-        const std::size_t at = packed.find(mark);
-        if (at == std::string::npos) continue;
+    for (std::size_t at = text.find_first_of("x*/"); at != std::string::npos; at = text.find_first_of("x*/", at + 1)) {
         const bool inside_a_word =
-            mark.front() == 'x' && at > 0 && std::isalpha(static_cast<unsigned char>(packed[at - 1]));
-        const std::string_view number = std::string_view(packed).substr(at + 1);
+            text[at] == 'x' && at > 0 && std::isalpha(static_cast<unsigned char>(text[at - 1])) != 0;
+        const std::string_view number = trimmed(std::string_view(text).substr(at + 1));
         const std::size_t size = std::min(number.find_first_not_of("0123456789e"), number.size());
-        if (!inside_a_word && size >= 2 && number.substr(0, size) != "100") return true;
+        const bool is_power = number.starts_with("10") || number.starts_with("1e");
+        if (!inside_a_word && is_power && size >= 2 && number.substr(0, size) != "100") return true;
     }
     return false;
 }
