@@ -11,7 +11,6 @@
 #include "core/input_error.hpp"
 #include "core/text.hpp"
 #include "measurements/cells.hpp"
-#include "measurements/column_choice.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
@@ -43,6 +42,44 @@ struct CellWord {
     std::string_view cell;
 };
 
+/// A table, and of each column its first cell that is neither a number nor missing.
+struct GlancedTable {
+    NumberTable table;
+    bool decimal_comma;
+    std::vector<std::optional<CellWord>> first_word;
+};
+
+GlancedTable glance(const Columns& columns, std::span<const std::size_t> wanted) {
+    GlancedTable found{.table = {.width = wanted.size(),
+                                 .cells = std::vector<double>(wanted.size() * columns.rows.size()),
+                                 .holds_words = std::vector<bool>(wanted.size(), true),
+                                 .fill = std::vector<std::optional<double>>(wanted.size())},
+                       .decimal_comma = has_decimal_commas(columns, wanted),
+                       .first_word = std::vector<std::optional<CellWord>>(wanted.size())};
+    NumberTable& table = found.table;
+    CellCutter cutter(columns.separator);
+    double* next = table.cells.data();
+    for (const Row& row : columns.rows) {
+        const std::span<const std::string_view> cells = cutter.cut(row.text);
+        for (std::size_t i = 0; i < wanted.size(); ++i, ++next) {
+            const std::string_view cell = cells[wanted[i]];
+            const std::optional<double> number = parse_cell(cell, found.decimal_comma);
+            if (number && std::isfinite(*number) && !is_fill_number(*number)) {
+                *next = *number;
+                if (table.holds_words[i]) table.holds_words[i] = false;
+                continue;
+            }
+            *next = std::numeric_limits<double>::quiet_NaN();
+            if (number && std::isfinite(*number)) {
+                if (!table.fill[i]) table.fill[i] = number;
+            } else if (!found.first_word[i] && !is_missing(cell)) {
+                found.first_word[i] = CellWord{.line = row.line, .cell = cell};
+            }
+        }
+    }
+    return found;
+}
+
 }  // namespace
 
 std::optional<double> parse_cell(std::string_view cell, bool decimal_comma) {
@@ -51,6 +88,14 @@ std::optional<double> parse_cell(std::string_view cell, bool decimal_comma) {
     std::string text(cell);
     if (const std::size_t comma = text.find(','); comma != std::string::npos) text[comma] = '.';
     return parse_number(text);
+}
+
+std::optional<double> parse_reading(std::string_view cell, bool decimal_comma) {
+    const std::optional<double> number = parse_cell(cell, decimal_comma);
+    const bool is_finite = number && std::isfinite(*number);
+    if (is_finite && !is_fill_number(*number)) return number;
+    if (is_finite || is_missing(cell)) return std::numeric_limits<double>::quiet_NaN();
+    return std::nullopt;
 }
 
 void refuse_cell(const std::string& where, const std::string& name, std::string_view cell, bool decimal_comma) {
@@ -92,33 +137,17 @@ std::vector<std::vector<double>> read_numbers(const Columns& columns, std::span<
 }
 
 NumberTable read_number_table(const Columns& columns, std::span<const std::size_t> wanted) {
-    const bool decimal_comma = has_decimal_commas(columns, wanted);
-    NumberTable table{.width = wanted.size(),
-                      .cells = std::vector<double>(wanted.size() * columns.rows.size()),
-                      .holds_words = std::vector<bool>(wanted.size(), true)};
-    std::vector<std::optional<CellWord>> first_word(wanted.size());
-    CellCutter cutter(columns.separator);
-    double* next = table.cells.data();
-    for (const Row& row : columns.rows) {
-        const std::span<const std::string_view> cells = cutter.cut(row.text);
-        for (std::size_t i = 0; i < wanted.size(); ++i, ++next) {
-            const std::string_view cell = cells[wanted[i]];
-            const std::optional<double> number = parse_cell(cell, decimal_comma);
-            if (number && std::isfinite(*number)) {
-                *next = *number;
-                if (table.holds_words[i]) table.holds_words[i] = false;
-                continue;
-            }
-            *next = std::numeric_limits<double>::quiet_NaN();
-            if (!first_word[i] && !is_missing(cell)) first_word[i] = CellWord{.line = row.line, .cell = cell};
-        }
-    }
+    auto [table, decimal_comma, first_word] = glance(columns, wanted);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         if (table.holds_words[i] || !first_word[i]) continue;
         refuse_cell(at_line(columns, first_word[i]->line), label(columns, wanted[i]), first_word[i]->cell,
                     decimal_comma);
     }
-    return table;
+    return std::move(table);
+}
+
+NumberTable glance_at_numbers(const Columns& columns, std::span<const std::size_t> wanted) {
+    return glance(columns, wanted).table;
 }
 
 }  // namespace skinfit

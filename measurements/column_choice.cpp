@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <string_view>
-#include <unordered_map>
-#include <vector>
 
 #include "core/input_error.hpp"
 #include "core/text.hpp"
@@ -15,50 +13,22 @@
 namespace skinfit {
 namespace {
 
-std::string_view name_of(const Columns& columns, std::size_t column) {
-    return columns.names.empty() ? std::string_view{} : std::string_view(columns.names[column]);
-}
-
-using ColumnsByName = std::unordered_map<std::string_view, std::vector<std::size_t>>;
-
-/// The columns of each name, without the wavelengths and those without a name.
-ColumnsByName columns_by_name(const Columns& columns) {
-    ColumnsByName by_name;
-    for (std::size_t c = 1; c < columns.names.size(); ++c) {
-        if (!columns.names[c].empty()) by_name[columns.names[c]].push_back(c);
-    }
-    return by_name;
-}
-
-std::vector<std::size_t> called(const ColumnsByName& by_name, std::string_view name) {
-    const auto found = by_name.find(name);
-    return found == by_name.end() ? std::vector<std::size_t>{} : found->second;
-}
-
-bool is_uncertainty(const ColumnsByName& by_name, std::string_view name) {
-    constexpr std::string_view suffix = "_sigma";
-    if (name == suffix.substr(1)) return true;
-    if (!name.ends_with(suffix)) return false;
-    name.remove_suffix(suffix.size());
-    return by_name.contains(name);
-}
-
-std::vector<std::size_t> value_columns(const Columns& columns, const ColumnsByName& by_name) {
+std::vector<std::size_t> value_columns(const TablePlan& plan) {
     std::vector<std::size_t> found;
-    for (std::size_t c = 1; c < columns.width; ++c) {
-        if (!is_uncertainty(by_name, name_of(columns, c))) found.push_back(c);
+    for (std::size_t c = 0; c < plan.columns.size(); ++c) {
+        if (plan.columns[c].role == ColumnRole::value) found.push_back(c);
     }
     return found;
 }
 
 /// The columns to choose from, in words: their names, or their numbers where they have none.
-std::string list(const Columns& columns, const std::vector<std::size_t>& choices) {
+std::string list(const TablePlan& plan, const std::vector<std::size_t>& choices) {
     constexpr std::size_t most = 20;
     std::vector<std::string> shown;
     for (const std::size_t column : choices) {
         if (shown.size() == most) break;
-        const std::string_view name = name_of(columns, column);
-        shown.push_back(name.empty() ? std::to_string(column) : std::string(name));
+        const std::string& name = plan.columns[column].name;
+        shown.push_back(name.empty() ? std::to_string(plan.number_of(column)) : name);
     }
     const std::size_t more = choices.size() - shown.size();
     return fmt::format("{}{}", fmt::join(shown, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
@@ -68,14 +38,10 @@ std::string header_place(const Columns& columns) {
     return columns.header_line > 0 ? at_line(columns, columns.header_line) : columns.source;
 }
 
-/// A table with one spectrum per line names its columns by wavelengths, and its first column by neither of these words.
+/// A table with one spectrum per line names its columns by wavelengths, and its first column by none.
 void refuse_spectra_in_rows(const Columns& columns) {
     constexpr std::size_t fewest = 3;
-    const std::string first = lower_case(name_of(columns, 0));
-    if (columns.width <= fewest || columns.names.empty() || first.find("wave") != std::string::npos ||
-        first.find("nm") != std::string::npos) {
-        return;
-    }
+    if (columns.width <= fewest || columns.names.empty() || is_abscissa_name(columns.names.front())) return;
     double previous = 0;
     for (std::size_t c = 1; c < columns.width; ++c) {
         const std::optional<double> number = parse_number(columns.names[c]);
@@ -89,85 +55,110 @@ void refuse_spectra_in_rows(const Columns& columns) {
                       .remedy = "use --reader rows, or call the first column wavelength_nm if these are names"});
 }
 
-std::size_t find_column(const Columns& columns, const std::vector<std::size_t>& choices, const std::string& wanted) {
-    const std::vector<std::size_t> called_so = called(columns_by_name(columns), wanted);
-    if (called_so.size() > 1) {
+/// Throws InputError for a column that is there and holds no spectrum.
+[[noreturn]] void refuse_role(const Columns& columns, const TablePlan& plan, std::size_t column,
+                              const std::string& wanted, const std::vector<std::size_t>& choices) {
+    const PlannedColumn& planned = plan.columns[column];
+    std::string problem = fmt::format("column {} cannot be used", in_quotes(wanted));
+    std::string why = planned.reason;
+    if (planned.role == ColumnRole::sigma) {
+        problem = fmt::format("column {} holds uncertainties", in_quotes(wanted));
+        why = "its name says so";
+    } else if (planned.role == ColumnRole::wavelength) {
+        problem = fmt::format("column {} holds wavelengths", in_quotes(wanted));
+        why = fmt::format("it is called {}", in_quotes(planned.name));
+    }
+    throw InputError({.where = header_place(columns),
+                      .problem = problem,
+                      .why = why,
+                      .remedy = planned.is_other_quantity
+                                    ? "export the reflectance or transmittance, or rename the column if "
+                                      "it is one: R = 10^-A of an absorbance A"
+                                    : fmt::format("choose one of the columns {}", list(plan, choices))});
+}
+
+std::size_t find_column(const Columns& columns, const TablePlan& plan, const std::vector<std::size_t>& choices,
+                        const std::string& wanted) {
+    std::vector<std::size_t> called;
+    for (std::size_t c = 0; c < plan.columns.size(); ++c) {
+        const bool is_other = plan.columns[c].role == ColumnRole::wavelength && choices.size() > 0;
+        if (plan.columns[c].name == wanted && !wanted.empty() && !is_other) called.push_back(c);
+    }
+    if (called.size() > 1) {
+        std::vector<std::size_t> numbers;
+        for (const std::size_t c : called) numbers.push_back(plan.number_of(c));
         throw InputError({.where = header_place(columns),
-                          .problem = fmt::format("{} columns are called {}", called_so.size(), in_quotes(wanted)),
-                          .why = fmt::format("numbers {}", fmt::join(called_so, ", ")),
+                          .problem = fmt::format("{} columns are called {}", called.size(), in_quotes(wanted)),
+                          .why = fmt::format("numbers {}", fmt::join(numbers, ", ")),
                           .remedy = "choose one by its number"});
     }
     const std::optional<std::uint64_t> number = parse_count(wanted);
-    const std::size_t column = called_so.empty() ? static_cast<std::size_t>(number.value_or(0)) : called_so.front();
-    if (std::ranges::find(choices, column) != choices.end()) return column;
-    if (column > 0 && column < columns.width) {
-        throw InputError({.where = header_place(columns),
-                          .problem = fmt::format("column {} holds uncertainties", in_quotes(wanted)),
-                          .why = "its name ends in sigma",
-                          .remedy = fmt::format("choose one of the columns {}", list(columns, choices))});
+    const bool is_number = number && *number > 0 && *number < plan.columns.size() - plan.first_wavelength;
+    if (called.empty() && is_number) called.push_back(static_cast<std::size_t>(*number) + plan.first_wavelength);
+    if (!called.empty()) {
+        if (plan.columns[called.front()].role == ColumnRole::value) return called.front();
+        refuse_role(columns, plan, called.front(), wanted, choices);
     }
     std::vector<std::string_view> names;
     for (const std::size_t choice : choices) {
-        if (!number && !name_of(columns, choice).empty()) names.push_back(name_of(columns, choice));
+        if (!number && !plan.columns[choice].name.empty()) names.emplace_back(plan.columns[choice].name);
     }
     const std::string nearest =
         names.empty() ? "" : fmt::format("; the nearest name is {}", in_quotes(nearest_name(wanted, names)));
     throw InputError({.where = header_place(columns),
                       .problem = fmt::format("has no column {}", in_quotes(wanted)),
-                      .why = fmt::format("its columns are {}{}", list(columns, choices), nearest),
+                      .why = fmt::format("its columns are {}{}", list(plan, choices), nearest),
                       .remedy = "choose one of these by its name or by its number, counted without the wavelengths"});
 }
 
-std::vector<std::size_t> checked_value_columns(const Columns& columns, const ColumnsByName& by_name) {
+/// Throws InputError where the table has none.
+std::vector<std::size_t> checked_value_columns(const Columns& columns, const TablePlan& plan) {
     refuse_spectra_in_rows(columns);
-    std::vector<std::size_t> choices = value_columns(columns, by_name);
+    std::vector<std::size_t> choices = value_columns(plan);
     if (!choices.empty()) return choices;
+    const auto other = std::ranges::find_if(plan.columns, &PlannedColumn::is_other_quantity);
+    if (other != plan.columns.end()) {
+        throw InputError({.where = header_place(columns),
+                          .problem = "has no column of reflectance or transmittance",
+                          .why = other->reason,
+                          .remedy =
+                              "export the reflectance or transmittance; of an absorbance A or log(1/R) it is 10^-A. "
+                              "If it is one of these, correct the word"});
+    }
     throw InputError({.where = header_place(columns),
                       .problem = "has no column of values",
-                      .why = "all columns but the wavelengths are called sigma",
+                      .why = "by their names all columns hold wavelengths, uncertainties or numbers of readings",
                       .remedy = "add the values or rename their column"});
 }
 
-ColumnChoice with_sigma(const Columns& columns, const ColumnsByName& by_name, std::size_t value, bool sole) {
-    std::vector<std::size_t> sigma = called(by_name, fmt::format("{}_sigma", name_of(columns, value)));
-    if (sigma.empty()) sigma = called(by_name, "sigma");
-    if (sigma.size() > 1) {
-        throw InputError({.where = header_place(columns),
-                          .problem = fmt::format("{} columns are called {}", sigma.size(),
-                                                 in_quotes(name_of(columns, sigma.front()))),
-                          .why = "the uncertainty of the values must be one of them",
-                          .remedy = "give every column a name of its own"});
-    }
-    return {.value = value, .sigma = sigma.empty() ? std::nullopt : std::optional(sigma.front()), .sole = sole};
+ColumnChoice choice_of(const TablePlan& plan, std::size_t value) {
+    const PlannedColumn& column = plan.columns[value];
+    return {.wavelength = column.wavelength, .value = value, .sigma = column.sigma, .sole = plan.values == 1};
 }
 
 }  // namespace
 
-ColumnChoice choose_column(const Columns& columns, const std::optional<std::string>& wanted) {
-    const ColumnsByName by_name = columns_by_name(columns);
-    const std::vector<std::size_t> choices = checked_value_columns(columns, by_name);
+std::string TablePlan::label(std::size_t column) const {
+    if (!columns[column].name.empty()) return columns[column].name;
+    return columns[column].role == ColumnRole::wavelength ? "the wavelength"
+                                                          : fmt::format("column {}", number_of(column));
+}
+
+ColumnChoice choose_column(const Columns& columns, const TablePlan& plan, const std::optional<std::string>& wanted) {
+    const std::vector<std::size_t> choices = checked_value_columns(columns, plan);
     if (!wanted && choices.size() > 1) {
         throw InputError({.where = header_place(columns),
                           .problem = fmt::format("has {} columns of values", choices.size()),
-                          .why = list(columns, choices),
+                          .why = list(plan, choices),
                           .remedy = "choose one with --column, by its name or its number"});
     }
-    const std::size_t value = wanted ? find_column(columns, choices, *wanted) : choices.front();
-    return with_sigma(columns, by_name, value, choices.size() == 1);
+    return choice_of(plan, wanted ? find_column(columns, plan, choices, *wanted) : choices.front());
 }
 
-std::vector<ColumnChoice> all_columns(const Columns& columns) {
-    const ColumnsByName by_name = columns_by_name(columns);
-    const std::vector<std::size_t> choices = checked_value_columns(columns, by_name);
+std::vector<ColumnChoice> all_columns(const Columns& columns, const TablePlan& plan) {
     std::vector<ColumnChoice> all;
-    for (const std::size_t value : choices) all.push_back(with_sigma(columns, by_name, value, choices.size() == 1));
+    for (const std::size_t value : checked_value_columns(columns, plan)) all.push_back(choice_of(plan, value));
     return all;
-}
-
-std::string label(const Columns& columns, std::size_t column) {
-    const std::string_view name = name_of(columns, column);
-    if (!name.empty()) return std::string(name);
-    return column == 0 ? "the wavelength" : fmt::format("column {}", column);
 }
 
 }  // namespace skinfit

@@ -8,33 +8,23 @@
 
 #include "core/input_error.hpp"
 #include "core/text.hpp"
+#include "measurements/abscissa.hpp"
 #include "measurements/cells.hpp"
+#include "measurements/file_statements.hpp"
 #include "measurements/header.hpp"
 #include "measurements/limits.hpp"
+#include "measurements/table_block.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
 namespace {
 
-char find_separator(const std::vector<Row>& rows) {
-    constexpr std::array candidates{'\t', ';', ','};
-    std::array<std::size_t, candidates.size()> occurrences{};
-    for (const Row& row : rows) {
-        const std::string_view text = trimmed(row.text);
-        if (!starts_like_a_number(text.substr(text.starts_with('"') ? 1 : 0))) continue;
-        for (std::size_t i = 0; i < candidates.size(); ++i) {
-            if (text.find(candidates[i]) != std::string_view::npos) ++occurrences[i];
-        }
-    }
-    const auto most = std::ranges::max_element(occurrences);
-    return *most == 0 ? ' ' : candidates[static_cast<std::size_t>(most - occurrences.begin())];
-}
-
 [[noreturn]] void refuse_word(const Columns& columns, std::size_t line, std::string_view word) {
     throw InputError({.where = at_line(columns, line),
                       .problem = fmt::format("starts with the word {}", in_quotes(word)),
-                      .why = "below comments and one header line, every line is a wavelength and its values",
-                      .remedy = "delete such lines or put # in front of them"});
+                      .why = "between the header and the last reading, every line is a wavelength and its values",
+                      .remedy = "delete this line or put # in front of it, or leave an empty line before text that "
+                                "stands below the numbers"});
 }
 
 [[noreturn]] void refuse_width(const Columns& columns, std::size_t line, std::size_t found, std::size_t first_line,
@@ -122,10 +112,43 @@ void refuse_other_widths(const Columns& columns, const Shape& shape) {
     }
 }
 
-/// A line right above the numbers that speaks of wavelengths names columns; other prose need not.
+/// A line right above the numbers whose first word is that of an abscissa names columns; other prose need not.
 bool is_meant_as_header(std::string_view line) {
     const std::string text = lower_case(line);
-    return text.find("wave") != std::string::npos || text.find("nm") != std::string::npos;
+    return text.starts_with("wave") || text.starts_with("nm") ||
+           is_abscissa_name(text.substr(0, text.find_first_of(",;\t")));
+}
+
+/// The header of a table without one: that of its last comment above the numbers. Between blanks, prose may have as
+/// many words as the table has columns; there its first must be the name of an abscissa.
+void take_header_from_comment(Columns& columns) {
+    const std::size_t first_row = columns.rows.front().line;
+    const auto below =
+        std::ranges::find_if(columns.comments, [&](const Comment& each) { return each.line > first_row; });
+    if (below == columns.comments.begin()) return;
+    const auto last = std::prev(below);
+    if (!columns.preamble.empty() && columns.preamble.back().line > last->line) return;
+    const Row row{.line = last->line, .text = last->text};
+    Header header = find_header(std::span(&row, 1), columns.width, columns.separator);
+    if (header.lines == 0) return;
+    const bool numbers =
+        std::ranges::any_of(header.names, [](const std::string& name) { return parse_number(name).has_value(); });
+    const bool begins_with_abscissa = is_abscissa_name(header.names.front());
+    const bool may_be_prose =
+        columns.separator == ' ' || !contains(last->text, {&columns.separator, 1}) || contains(last->text, ":");
+    if ((numbers && !begins_with_abscissa) || (may_be_prose && !begins_with_abscissa)) return;
+    columns.names = std::move(header.names);
+    columns.header_line = last->line;
+    columns.comments.erase(last);
+}
+
+/// Spectra Vista's SIG files have no header: their columns are always these, the reflectance in percent (SVC HR-1024i
+/// user manual, "SIG file format").
+void name_sig_columns(Columns& columns) {
+    constexpr std::size_t sig_columns = 4;
+    if (!columns.names.empty() || columns.preamble.empty() || columns.width != sig_columns) return;
+    if (!contains(columns.preamble.front().text, "Spectra Vista SIG")) return;
+    columns.names = {"wavelength (nm)", "reference (radiance)", "target (radiance)", "reflectance (%)"};
 }
 
 /// Throws InputError where a slip in the first row, as in `O400,0.5`, makes a second header of it.
@@ -133,6 +156,7 @@ void refuse_slip_in_first_row(const Columns& columns, std::span<const Row> words
     if (words.size() < 2) return;
     CellCutter cutter(columns.separator);
     const std::span<const std::string_view> cells = cutter.cut(words.back().text);
+    if (is_statement_key(cells.front())) return;
     const bool has_numbers =
         std::ranges::any_of(cells.subspan(1), [](std::string_view cell) { return parse_number(cell).has_value(); });
     if (!has_numbers || find_header(words.first(words.size() - 1), width, columns.separator).lines == 0) return;
@@ -148,7 +172,7 @@ void take_words(Columns& columns, std::span<const Row> words, const Shape& shape
     const std::size_t named_width = std::min(last.size(), std::max(filled_width(last), shape.widest));
     if (named_width <= shape.first_width && named_width >= shape.widest) columns.width = named_width;
     refuse_slip_in_first_row(columns, words, columns.width);
-    Header header = find_header(words, columns.width, columns.separator);
+    Header header = is_statement_key(last.front()) ? Header{} : find_header(words, columns.width, columns.separator);
     if (header.lines == 0 && is_meant_as_header(words.back().text)) {
         header = {.lines = 1, .names = {last.begin(), last.begin() + static_cast<std::ptrdiff_t>(named_width)}};
         columns.width = named_width;
@@ -169,6 +193,25 @@ void drop_empty(std::vector<Row>& rows, char separator) {
     });
 }
 
+/// Where the comment of a line begins, or npos.
+std::size_t find_comment(std::string_view line) {
+    static constexpr std::array<std::string_view, 8> errors = {"#n/a",  "#na",   "#div/0!", "#value!",
+                                                               "#num!", "#ref!", "#name?",  "#null!"};
+    const std::size_t content = line.find_first_not_of(" \t\v\f");
+    for (std::size_t from = 0;;) {
+        const std::size_t at = line.find('#', from);
+        if (at == std::string_view::npos) return at;
+        if (at == content) return at;
+        from = at + 1;
+        const bool after_blank = line[at - 1] == ' ' || line[at - 1] == '\t';
+        const std::string word = lower_case(line.substr(at, 8));
+        const bool is_error =
+            std::ranges::any_of(errors, [&](std::string_view each) { return word.starts_with(each); });
+        const bool inside_quotes = std::ranges::count(line.substr(0, at), '"') % 2 == 1;
+        if (after_blank && !is_error && !inside_quotes) return at;
+    }
+}
+
 }  // namespace
 
 Lines split_comments(std::string_view text, const std::string& source) {
@@ -181,8 +224,7 @@ Lines split_comments(std::string_view text, const std::string& source) {
     while (const auto line = reader.next()) {
         ++number;
         refuse_long_line(line->size(), number, source);
-        std::size_t size = line->find('#');
-        if (size != std::string_view::npos) size = find_unquoted(*line, "#");
+        const std::size_t size = find_comment(*line);
         const std::string_view content = line->substr(0, size);
         if (!trimmed(content).empty()) {
             lines.rows.push_back({.line = number, .text = content});
@@ -201,26 +243,34 @@ Columns split_columns(std::string_view text, const std::string& source) {
     columns.comments = std::move(comments);
     columns.separator = find_separator(rows);
     drop_empty(rows, columns.separator);
-    CellCutter cutter(columns.separator);
-    const auto first_number =
-        std::ranges::find_if(rows, [&](const Row& row) { return !is_line_of_words(cutter.cut(row.text)); });
-    const std::vector<Row> words(rows.begin(), first_number);
-    rows.erase(rows.begin(), first_number);
-    columns.rows = std::move(rows);
+    auto [words, table, after] = find_table(std::move(rows), columns.separator);
+    columns.rows = std::move(table);
     if (columns.rows.empty()) {
+        CellCutter cutter(columns.separator);
         if (words.size() > 1) refuse_word(columns, words[1].line, cutter.cut(words[1].text).front());
         throw InputError({.where = source,
                           .problem = is_empty ? "is empty" : "holds no numbers",
                           .why = "lines of a wavelength and its values are needed",
                           .remedy = "check that the file is complete"});
     }
+    for (const Row& row : after) columns.epilogue.push_back({.line = row.line, .text = trimmed(row.text)});
     const Shape shape = shape_of(columns.rows, columns.separator);
-    if (shape.word) refuse_word(columns, shape.word->line, cutter.cut(shape.word->text).front());
+    if (shape.word) {
+        CellCutter cutter(columns.separator);
+        refuse_word(columns, shape.word->line, cutter.cut(shape.word->text).front());
+    }
     take_words(columns, words, shape);
+    if (columns.names.empty()) take_header_from_comment(columns);
+    name_sig_columns(columns);
     refuse_decimal_commas(columns, shape);
     refuse_other_widths(columns, shape);
     check_column_count(columns);
     return columns;
+}
+
+std::string label(const Columns& columns, std::size_t column) {
+    if (!columns.names.empty() && !columns.names[column].empty()) return columns.names[column];
+    return column == 0 ? "the wavelength" : fmt::format("column {}", column);
 }
 
 std::string at_line(const Columns& columns, std::size_t line) {

@@ -24,8 +24,9 @@ struct Columns {
     std::string source;  ///< names the text in messages
     std::vector<Comment> comments;
     std::vector<Comment> preamble;   ///< the lines of words above the header
+    std::vector<Comment> epilogue;   ///< the lines below the table, as `find_table` tells them
     char separator = ' ';            ///< `\t`, `;`, `,`, or a blank for any run of blanks
-    std::size_t width = 0;           ///< columns, at least 2; the first holds the wavelengths
+    std::size_t width = 0;           ///< columns, at least 2; `plan_table` says what each holds
     std::size_t header_line = 0;     ///< counted from 1; 0 without a header
     std::vector<std::string> names;  ///< one per column, some perhaps empty; none without a header
     std::vector<Row> rows;           ///< at least 1, each of at least `width` cells
@@ -37,22 +38,27 @@ struct Lines {
     std::vector<Row> rows;  ///< all others that hold anything
 };
 
-/// Tells comments from other lines. Throws InputError for binary text.
+/// Tells comments from other lines: a `#` begins one where it begins the line or a blank is before it, but not as a
+/// part of `#N/A` and its kin. Throws InputError for binary text.
 [[nodiscard]] Lines split_comments(std::string_view text, const std::string& source);
 
 /// Takes `text` apart.
 ///
-/// Separator: whichever of tab, semicolon and comma occurs in most of the lines that start like a number; in doubt the
-/// first of these, and blanks where none occurs. Separators and `#` inside double quotes are text.
+/// Separator: that of `find_separator`. Separators and `#` inside double quotes are text. The table is what
+/// `find_table` finds.
 ///
 /// Header: the last line above the numbers, if it starts with a word and names every column; `find_header` states the
-/// dialects. Lines of words above it are the preamble. A line that starts like a number, as `4OO` does, is data, so
+/// dialects. Without one, the last comment above the numbers where it has as many cells, as numpy.savetxt writes it.
+/// Lines of words above it are the preamble. A line that starts like a number, as `4OO` does, is data, so
 /// that a slip in the first row is found rather than taken for a name. Lines without any text between separators count
 /// as empty, and cells that are empty in every line of the table's right end are dropped.
 ///
 /// Throws InputError for text that is empty, binary or without data, for a word where a row should start, for rows that
 /// differ in length, and for lines split at commas that look like decimal commas.
 [[nodiscard]] Columns split_columns(std::string_view text, const std::string& source);
+
+/// A column's name, or `the wavelength` of the first and `column <number>` of another without a name; for messages.
+[[nodiscard]] std::string label(const Columns& columns, std::size_t column);
 
 /// `source:line`, the way messages name a line.
 [[nodiscard]] std::string at_line(const Columns& columns, std::size_t line);

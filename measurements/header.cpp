@@ -62,7 +62,8 @@ bool is_line_of_units(std::span<const std::string_view> cells) {
 
 bool is_line_of_words(std::span<const std::string_view> cells) {
     const auto is_word = [](std::string_view cell) { return !is_missing(cell) && !starts_like_a_number(cell); };
-    return cells.front().empty() ? std::ranges::any_of(cells, is_word) : is_word(cells.front());
+    const bool alone = cells.size() == 1 && !cells.front().empty() && !starts_like_a_number(cells.front());
+    return alone || (cells.front().empty() ? std::ranges::any_of(cells, is_word) : is_word(cells.front()));
 }
 
 Header find_header(std::span<const Row> words, std::size_t width, char separator) {
@@ -79,16 +80,6 @@ Header find_header(std::span<const Row> words, std::size_t width, char separator
     }
     std::vector<std::string> names = names_in(words.back().text, width, separator);
     return {.lines = names.empty() ? 0U : 1U, .names = std::move(names)};
-}
-
-double nanometres_per_unit(const Columns& columns) {
-    static constexpr std::array<std::string_view, 8> micrometres = {"\u00b5m", "\u03bcm", "(um)",     "[um]",
-                                                                    "_um",     " um",     "micromet", "micron"};
-    if (columns.names.empty()) return 1;
-    const std::string name = lower_case(columns.names.front());
-    const bool stated = std::ranges::any_of(
-        micrometres, [&name](std::string_view word) { return name.find(word) != std::string::npos; });
-    return stated ? 1000 : 1;
 }
 
 }  // namespace skinfit

@@ -26,7 +26,4 @@ struct Header {
 /// under it may stand a line of units, as in `[nm];[%]`, which go with the names above them.
 [[nodiscard]] Header find_header(std::span<const Row> words, std::size_t width, char separator);
 
-/// 1000 where the name of the first column states micrometres, else 1.
-[[nodiscard]] double nanometres_per_unit(const Columns& columns);
-
 }  // namespace skinfit

@@ -12,6 +12,8 @@
 #include "core/input_error.hpp"
 #include "core/json.hpp"
 #include "core/text.hpp"
+#include "measurements/file_statements.hpp"
+#include "measurements/json_object.hpp"
 #include "measurements/limits.hpp"
 #include "measurements/readers.hpp"
 #include "measurements/spectrum_building.hpp"
@@ -19,8 +21,6 @@
 
 namespace skinfit {
 namespace {
-
-constexpr std::string_view example = "`skinfit convert --format json` writes an example";
 
 /// Names with a meaning; any other is a note.
 constexpr std::array<std::string_view, 21> known = {
@@ -31,87 +31,8 @@ constexpr std::array<std::string_view, 21> known = {
     "sigma_source", "missing",       "bandpass_shape", "bandpass_width_nm",
     "notes"};
 
-/// One object of the file, and how messages name it.
-struct Object {
-    const Json& json;
-    std::string where;
-
-    [[nodiscard]] const Json* find(std::string_view name) const {
-        const auto found = json.find(name);
-        return found == json.end() || found->is_null() ? nullptr : &*found;
-    }
-};
-
-[[noreturn]] void refuse(const Object& object, std::string_view name, const Json& value, const std::string& why) {
-    throw InputError({.where = fmt::format("{}: {}", object.where, name),
-                      .problem = fmt::format("{} cannot be used", shown(value)),
-                      .why = why,
-                      .remedy = fmt::format("correct it; {}", example)});
-}
-
-std::optional<double> number(const Object& object, std::string_view name, const Range& range) {
-    const Json* const value = object.find(name);
-    if (value == nullptr) return std::nullopt;
-    const double found = value->is_number() ? value->get<double>() : std::numeric_limits<double>::quiet_NaN();
-    if (!range.contains(found)) {
-        refuse(object, name, *value, fmt::format("a number from {} to {} is needed", range.lowest, range.highest));
-    }
-    return found;
-}
-
-std::string text(const Object& object, std::string_view name) {
-    const Json* const value = object.find(name);
-    if (value == nullptr) return {};
-    if (!value->is_string()) refuse(object, name, *value, "text is needed");
-    return value->get<std::string>();
-}
-
-template <typename Meaning, std::size_t size>
-std::optional<Meaning> word(const Object& object, std::string_view name,
-                            const std::array<std::string_view, size>& words) {
-    const Json* const value = object.find(name);
-    if (value == nullptr) return std::nullopt;
-    const auto found = std::ranges::find(words, lower_case(text(object, name)));
-    if (found == words.end()) {
-        refuse(object, name, *value, fmt::format("it must be {}", fmt::join(words, " or ")));
-    }
-    return static_cast<Meaning>(found - words.begin());
-}
-
-/// NaN stands for null.
-std::vector<double> numbers(const Object& object, std::string_view name, const Json& array) {
-    if (!array.is_array() || array.empty()) refuse(object, name, array, "a list of numbers is needed");
-    std::vector<double> found;
-    found.reserve(array.size());
-    for (const Json& element : array) {
-        if (!element.is_number() && !element.is_null()) refuse(object, name, element, "a number or null is needed");
-        found.push_back(element.is_null() ? std::numeric_limits<double>::quiet_NaN() : element.get<double>());
-    }
-    return found;
-}
-
-std::vector<double> numbers(const Object& object, std::string_view name, std::size_t count) {
-    const Json* const array = object.find(name);
-    if (array == nullptr) return {};
-    std::vector<double> found = numbers(object, name, *array);
-    if (found.size() == count) return found;
-    refuse(object, name, *array, fmt::format("it has {} numbers for {} wavelengths", found.size(), count));
-}
-
-std::optional<double> positive(const Object& object, std::string_view name,
-                               double upto = std::numeric_limits<double>::infinity()) {
-    const Json* const value = object.find(name);
-    if (value == nullptr) return std::nullopt;
-    const double found = value->is_number() ? value->get<double>() : 0.0;
-    if (!(found > 0.0 && found <= upto)) {
-        const std::string most = std::isfinite(upto) ? fmt::format(" and at most {}", upto) : "";
-        refuse(object, name, *value, fmt::format("a number above 0{} is needed", most));
-    }
-    return found;
-}
-
 /// `wavelength_nm`, or as many as there are values from `start` on by `step`.
-std::vector<double> wavelengths(const Object& object, std::size_t count) {
+std::vector<double> wavelengths(const JsonObject& object, std::size_t count) {
     if (object.find("wavelength_nm") != nullptr) return numbers(object, "wavelength_nm", count);
     const std::optional<double> start = number(object, "start", {0, wavelength_range_nm.highest});
     const std::optional<double> step =
@@ -120,7 +41,7 @@ std::vector<double> wavelengths(const Object& object, std::size_t count) {
         throw InputError({.where = object.where,
                           .problem = "has no wavelengths",
                           .why = "wavelength_nm, or start and step in nm, give them",
-                          .remedy = fmt::format("add them; {}", example)});
+                          .remedy = fmt::format("add them; {}", json_example)});
     }
     std::vector<double> found;
     for (std::size_t i = 0; i < count; ++i) found.push_back(*start + *step * static_cast<double>(i));
@@ -128,11 +49,11 @@ std::vector<double> wavelengths(const Object& object, std::size_t count) {
 }
 
 /// `notes`, a list of pairs, and all names without a meaning of their own.
-void take_notes(Spectrum& spectrum, const Object& object) {
+void take_notes(Spectrum& spectrum, const JsonObject& object) {
     if (const Json* const notes = object.find("notes"); notes != nullptr) {
         for (const Json& note : *notes) {
             const bool is_pair = note.is_array() && note.size() == 2 && note[0].is_string() && note[1].is_string();
-            if (!is_pair) refuse(object, "notes", *notes, "a list of pairs of texts is needed");
+            if (!is_pair) refuse_json(object, "notes", *notes, "a list of pairs of texts is needed");
             spectrum.notes.push_back(
                 {.line = 0, .key = note[0].get<std::string>(), .value = note[1].get<std::string>()});
         }
@@ -150,7 +71,19 @@ void take_notes(Spectrum& spectrum, const Object& object) {
     }
 }
 
-void take_description(Spectrum& spectrum, const Object& object) {
+/// What names without a meaning of their own state, as comments of text files do.
+FileStatements statements_of(const JsonObject& object) {
+    std::vector<std::string> texts;
+    for (const auto& [name, value] : object.json.items()) {
+        if (std::ranges::find(known, name) != known.end() || !(value.is_string() || value.is_number())) continue;
+        texts.push_back(fmt::format("{}: {}", name, value.is_string() ? value.get<std::string>() : value.dump()));
+    }
+    std::vector<Comment> comments;
+    for (const std::string& each : texts) comments.push_back({.line = 0, .text = each});
+    return statements_in(object.where, comments, {});
+}
+
+void take_description(Spectrum& spectrum, const JsonObject& object) {
     spectrum.quantity = word<Quantity>(object, "quantity", quantity_names);
     spectrum.geometry.incidence_deg = number(object, "incidence_deg", incidence_range_deg);
     spectrum.geometry.specular = word<Specular>(object, "specular", specular_names);
@@ -171,33 +104,35 @@ void take_description(Spectrum& spectrum, const Object& object) {
 }
 
 /// The readings of the same specimen, in the order of the grid, without the wavelengths whose value is missing.
-void take_repeats(Spectrum& spectrum, const Object& object, const Grid& grid, const std::vector<double>& value,
+void take_repeats(Spectrum& spectrum, const JsonObject& object, const Grid& grid, const std::vector<double>& value,
                   double scale) {
     const Json* const repeats = object.find("repeats");
     if (repeats == nullptr) return;
-    if (!repeats->is_array()) refuse(object, "repeats", *repeats, "a list of lists of numbers is needed");
+    if (!repeats->is_array()) refuse_json(object, "repeats", *repeats, "a list of lists of numbers is needed");
     for (const Json& repeat : *repeats) {
         const std::vector<double> found = numbers(object, "repeats", repeat);
         if (found.size() != value.size()) {
-            refuse(object, "repeats", repeat,
-                   fmt::format("it has {} numbers for {} wavelengths", found.size(), value.size()));
+            refuse_json(object, "repeats", repeat,
+                        fmt::format("it has {} numbers for {} wavelengths", found.size(), value.size()));
         }
         std::vector<double>& readings = spectrum.repeats.emplace_back();
         for (const std::size_t i : grid.order) {
             if (std::isnan(value[i])) continue;
-            if (std::isnan(found[i])) refuse(object, "repeats", repeat, "a number is needed where there is a value");
+            if (std::isnan(found[i]))
+                refuse_json(object, "repeats", repeat, "a number is needed where there is a value");
             readings.push_back(found[i] / scale);
         }
     }
 }
 
-Spectrum spectrum_of(const Object& object, const std::string& source, const std::string& default_name,
-                     const ReadOptions& options) {
+/// `percent_in` is another spectrum of the list that is in percent; empty where none is.
+Spectrum spectrum_of(const JsonObject& object, const std::string& source, const std::string& default_name,
+                     const ReadOptions& options, const std::string& percent_in = {}) {
     if (!object.json.is_object()) {
         throw InputError({.where = object.where,
                           .problem = fmt::format("{} is no object", shown(object.json)),
                           .why = "a spectrum has names and values",
-                          .remedy = fmt::format("correct it; {}", example)});
+                          .remedy = fmt::format("correct it; {}", json_example)});
     }
     const std::string_view values_name = object.find("values") != nullptr ? "values" : "value";
     const Json* const values = object.find(values_name);
@@ -205,11 +140,16 @@ Spectrum spectrum_of(const Object& object, const std::string& source, const std:
         throw InputError({.where = object.where,
                           .problem = values == nullptr ? "has no values" : "has both value and values",
                           .why = "one list of numbers is needed, called value or values",
-                          .remedy = fmt::format("correct it; {}", example)});
+                          .remedy = fmt::format("correct it; {}", json_example)});
     }
-    const std::vector<double> value = numbers(object, values_name, *values);
-    const std::vector<double> sigma = numbers(object, "sigma", value.size());
-    const Grid grid = make_grid(wavelengths(object, value.size()), [&](std::size_t i) {
+    const FileStatements statements = statements_of(object);
+    std::vector<double> value = numbers(object, values_name, *values);
+    std::vector<double> sigma = numbers(object, "sigma", value.size());
+    for (double& each : value) each *= statements.factor;
+    for (double& each : sigma) each *= statements.factor;
+    const Abscissa abscissa = statements.abscissa.value_or(Abscissa{});
+    refuse_unusable(abscissa, object.where);
+    const Grid grid = make_grid(wavelengths_nm(abscissa, wavelengths(object, value.size())), [&](std::size_t i) {
         return GridPlace{.where = object.where, .which = fmt::format("number {}", i + 1)};
     });
     Spectrum spectrum;
@@ -217,12 +157,22 @@ Spectrum spectrum_of(const Object& object, const std::string& source, const std:
     spectrum.name = text(object, "name");
     if (spectrum.name.empty()) spectrum.name = default_name;
     take_description(spectrum, object);
+    if (!spectrum.quantity) spectrum.quantity = statements.values.quantity;
+    if (!spectrum.geometry.specular) spectrum.geometry.specular = statements.specular;
+    if (!spectrum.quantity && !statements.values.unusable.empty()) {
+        spectrum.unusable =
+            fmt::format("{} is neither reflectance nor transmittance", in_quotes(statements.values.unusable));
+    }
+    spectrum.remarks = statements.remarks;
     for (std::size_t i = 0; i < sigma.size(); ++i) {
         if (std::isnan(sigma[i]) && !std::isnan(value[i]))
-            refuse(object, "sigma", *object.find("sigma"), "every value needs one");
+            refuse_json(object, "sigma", *object.find("sigma"), "every value needs one");
     }
     take_readings(spectrum, grid, {.value = value, .sigma = sigma},
-                  {.option = options.unit, .comment = word<Unit>(object, "unit", unit_names), .header = {}});
+                  {.option = options.unit,
+                   .comment = word<Unit>(object, "unit", unit_names),
+                   .named = statements.values.unit,
+                   .percent_in = percent_in});
     take_repeats(spectrum, object, grid, value, spectrum.unit_rule.starts_with("percent") ? 100 : 1);
     spectrum.missing += static_cast<std::size_t>(number(object, "missing", {0, 1e9}).value_or(0));
     if (!sigma.empty()) {
@@ -230,6 +180,28 @@ Spectrum spectrum_of(const Object& object, const std::string& source, const std:
         if (spectrum.sigma_source.empty()) spectrum.sigma_source = "given by the file";
     }
     return spectrum;
+}
+
+/// The first spectrum of a list that is in percent, as it states or as its values show; empty where none is.
+std::string spectrum_in_percent(const Json& all) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Json& json = all[i];
+        if (!json.is_object()) continue;
+        const std::string name = json.contains("name") && json["name"].is_string() ? json["name"].get<std::string>()
+                                                                                   : fmt::format("spectrum {}", i + 1);
+        if (json.contains("unit")) {
+            if (json["unit"] == "percent") return name;
+            continue;
+        }
+        const auto list = json.contains("value") ? json.find("value") : json.find("values");
+        if (list == json.end() || !list->is_array()) continue;
+        std::vector<double> values;
+        for (const Json& value : *list) {
+            if (value.is_number() && !is_fill_number(value.get<double>())) values.push_back(value.get<double>());
+        }
+        if (shows_percent(values)) return name;
+    }
+    return {};
 }
 
 }  // namespace
@@ -246,16 +218,17 @@ bool holds_json(std::string_view text) {
 
 std::vector<Spectrum> read_json(std::string_view text, const std::string& source, const ReadOptions& options) {
     refuse_large_text(text, source);
-    const Json file = parsed_json(text, source, std::string(example));
+    const Json file = parsed_json(text, source, std::string(json_example));
     const bool ours = file.is_object() && file.contains("spectra");
     const Json& all = ours ? file["spectra"] : file;
     const std::string stem = std::filesystem::path(source).stem().string();
     if (!all.is_array()) return {spectrum_of({.json = all, .where = source}, source, stem, options)};
+    const std::string percent_in = spectrum_in_percent(all);
     std::vector<Spectrum> spectra;
     for (const Json& json : all) {
         const std::string number = fmt::format("spectrum {}", spectra.size() + 1);
-        spectra.push_back(
-            spectrum_of({.json = json, .where = fmt::format("{}: {}", source, number)}, source, number, options));
+        spectra.push_back(spectrum_of({.json = json, .where = fmt::format("{}: {}", source, number)}, source, number,
+                                      options, percent_in));
     }
     std::erase_if(spectra, [](const Spectrum& spectrum) { return spectrum.value.empty(); });
     return spectra;

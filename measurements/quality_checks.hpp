@@ -34,6 +34,9 @@ namespace skinfit {
 /// `missing_values`: the file has wavelengths without a value. A note where they are one in ten or fewer.
 [[nodiscard]] std::optional<Finding> missing_values(const Spectrum& spectrum);
 
+/// `as_read`: what the reader left out of the file, converted, or could not make out. A note.
+[[nodiscard]] std::optional<Finding> as_read(const Spectrum& spectrum);
+
 /// `outside_tables`: wavelengths outside those that the model knows. A note where others lie inside.
 [[nodiscard]] std::optional<Finding> outside_tables(const Spectrum& spectrum, const ModelledRange& modelled);
 

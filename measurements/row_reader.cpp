@@ -3,165 +3,240 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <optional>
 #include <span>
 
-#include "core/geometry.hpp"
 #include "core/input_error.hpp"
 #include "core/text.hpp"
 #include "measurements/cell_numbers.hpp"
 #include "measurements/cells.hpp"
 #include "measurements/columns.hpp"
 #include "measurements/description.hpp"
-#include "measurements/limits.hpp"
+#include "measurements/file_statements.hpp"
 #include "measurements/readers.hpp"
+#include "measurements/row_header.hpp"
 #include "measurements/spectrum_building.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
 namespace {
 
-/// The wavelength that a column's name states: `360`, `360 nm`, `nm360` or `SPEC_360`.
-std::optional<double> wavelength_named(std::string_view name) {
-    const std::string text = lower_case(name);
-    std::string_view number = text;
-    for (const std::string_view prefix : {"spec_", "nm_", "nm"}) {
-        if (!number.starts_with(prefix)) continue;
-        number.remove_prefix(prefix.size());
-        break;
-    }
-    if (number.ends_with("nm")) number.remove_suffix(2);
-    const std::optional<double> wavelength_nm = parse_number(trimmed(number));
-    return wavelength_nm && wavelength_range_nm.contains(*wavelength_nm) ? wavelength_nm : std::nullopt;
-}
-
-/// The first line of a table with a spectrum in each row.
-struct RowHeader {
-    char separator;
-    std::vector<std::string> labels;  ///< of the cells before the values; at least one, the first names the spectrum
-    std::vector<double> wavelength_nm;
+/// One row: its spectrum without numbers, and these.
+struct ReadRow {
+    Spectrum spectrum;
+    std::vector<double> values;  ///< NaN where one is missing
+    std::optional<Unit> unit;    ///< that its labels state
+    std::string told_apart;      ///< what its labels state of quantity and specular
 };
 
-/// The header, if this line is one: labels, then at least three wavelengths that ascend or descend. A first label that
-/// speaks of wavelengths makes the numbers names of columns.
-std::optional<RowHeader> row_header(std::string_view line) {
-    constexpr std::size_t fewest = 3;
-    if (line.size() > longest_line_bytes) return std::nullopt;
-    constexpr std::array marks = {',', ';', '\t'};
-    const auto most = std::ranges::max_element(marks, {}, [line](char c) { return std::ranges::count(line, c); });
-    const char separator = line.find(*most) == std::string_view::npos ? ' ' : *most;
-    CellCutter cutter(separator);
-    const std::span<const std::string_view> all = cutter.cut(line);
-    const std::span<const std::string_view> cells = all.first(filled_width(all));
-    RowHeader header{.separator = separator, .labels = {}, .wavelength_nm = {}};
-    for (const std::string_view cell : cells) {
-        const std::optional<double> wavelength_nm = wavelength_named(cell);
-        if (wavelength_nm) {
-            header.wavelength_nm.push_back(*wavelength_nm);
-        } else if (header.wavelength_nm.empty()) {
-            header.labels.push_back(unescaped(cell));
-        } else {
-            return std::nullopt;
+/// A text of rows taken apart.
+class RowReader {
+public:
+    RowReader(const Lines& lines, const RowHeader& header, const std::string& source, const ReadOptions& options)
+        : header_(header), source_(source), options_(options) {
+        std::vector<Comment> prose;
+        for (const Row& row : lines.rows) {
+            if (row.line < header.line) prose.push_back({.line = row.line, .text = trimmed(row.text)});
+            if (row.line > header.line) rows_.push_back(row);
+        }
+        std::vector<Comment> comments = lines.comments;
+        std::erase_if(comments, [&](const Comment& comment) { return comment.line == header.line; });
+        description_ = read_description(source, comments);
+        const std::vector<FileNote> notes = notes_in(prose);
+        description_.notes.insert(description_.notes.end(), notes.begin(), notes.end());
+        statements_ = statements_in(source, comments, prose);
+        decimal_comma_ = header.separator != ',' && header.separator != ' ' &&
+                         std::ranges::any_of(rows_, [](const Row& row) { return contains(row.text, ","); });
+        take_grid();
+    }
+
+    std::vector<Spectrum> read() {
+        std::vector<ReadRow> rows = read_rows();
+        tell_names_apart(rows);
+        const std::string percent_in = row_in_percent(rows);
+        std::vector<Spectrum> spectra;
+        for (ReadRow& row : rows) {
+            UnitStatements unit = unit_statements(row);
+            unit.percent_in = percent_in;
+            for (double& value : row.values) value *= statements_.factor;
+            take_readings(row.spectrum, grid_, {.value = row.values}, unit);
+            if (!row.spectrum.value.empty()) spectra.push_back(std::move(row.spectrum));
+        }
+        return spectra;
+    }
+
+private:
+    void take_grid() {
+        RowHeader header = header_;
+        if (!header.abscissa) header.abscissa = statements_.abscissa;
+        if (header.abscissa) {
+            refuse_unusable(*header.abscissa, fmt::format("{}:{}", source_, header.line));
+            if (!header.abscissa->is_nm()) {
+                statements_.remarks.push_back(fmt::format("{} to {} {} are read as wavelengths in vacuum",
+                                                          header.numbers.front(), header.numbers.back(),
+                                                          header.abscissa->name));
+            }
+        }
+        grid_ = make_grid(header.wavelength_nm(), [&](std::size_t i) {
+            return GridPlace{.where = fmt::format("{}:{}", source_, header.line),
+                             .which = fmt::format("value {}", i + 1)};
+        });
+    }
+
+    std::vector<ReadRow> read_rows() {
+        std::vector<ReadRow> rows;
+        CellCutter cutter(header_.separator);
+        for (std::size_t i = 0; i < rows_.size(); ++i) {
+            const std::span<const std::string_view> cells = cutter.cut(rows_[i].text);
+            if (filled_width(cells) == 0) continue;
+            if (is_log_from(i, cells)) {
+                for (ReadRow& row : rows) {
+                    row.spectrum.remarks.push_back(
+                        fmt::format("what follows the spectra, from line {} on, is taken as a log", rows_[i].line));
+                }
+                break;
+            }
+            check_width(cells, rows_[i]);
+            rows.push_back(read_row(cells, rows_[i].line));
+        }
+        return rows;
+    }
+
+    /// Below an empty line, lines of other lengths than the header has are no spectra.
+    [[nodiscard]] bool is_log_from(std::size_t i, std::span<const std::string_view> cells) const {
+        if (i == 0 || rows_[i].line == rows_[i - 1].line + 1 || cells.size() == header_.width) return false;
+        return filled_width(cells) * 2 < header_.width;
+    }
+
+    void check_width(std::span<const std::string_view> cells, const Row& row) const {
+        const std::size_t found = cells.size() < header_.width ? cells.size() : filled_width(cells);
+        if (cells.size() >= header_.width && found <= header_.width) return;
+        throw InputError({.where = fmt::format("{}:{}", source_, row.line),
+                          .problem = fmt::format("has {} field{}", found, found == 1 ? "" : "s"),
+                          .why = fmt::format("line {} has {}", header_.line, header_.width),
+                          .remedy = "give every spectrum one field per name and wavelength of the header"});
+    }
+
+    ReadRow read_row(std::span<const std::string_view> cells, std::size_t line) const {
+        ReadRow row{.spectrum = spectrum_of(description_), .values = {}, .unit = {}, .told_apart = {}};
+        Spectrum& spectrum = row.spectrum;
+        spectrum.source = source_;
+        spectrum.line = line;
+        spectrum.remarks = statements_.remarks;
+        std::optional<double> fill;
+        for (std::size_t i = 0; i < header_.numbers.size(); ++i) {
+            const std::string_view cell = cells[header_.first_value + i];
+            const std::optional<double> reading = parse_reading(cell, decimal_comma_);
+            if (!reading) {
+                refuse_cell(fmt::format("{}:{}", source_, line),
+                            fmt::format("the value at {} nm", header_.wavelength_nm()[i]), cell, decimal_comma_);
+            }
+            if (std::isnan(*reading) && !is_missing(cell)) fill = parse_cell(cell, decimal_comma_);
+            row.values.push_back(*reading);
+        }
+        if (fill) spectrum.remarks.push_back(fmt::format("readings of {} stand for missing values", *fill));
+        take_labels(row, cells, line);
+        return row;
+    }
+
+    /// The spectrum's name and what else the cells beside its values say.
+    void take_labels(ReadRow& row, std::span<const std::string_view> cells, std::size_t line) const {
+        Spectrum& spectrum = row.spectrum;
+        spectrum.name = cells.front().empty() ? fmt::format("line {}", line) : unescaped(cells.front());
+        if (!spectrum.quantity) spectrum.quantity = statements_.values.quantity;
+        if (!spectrum.geometry.specular) spectrum.geometry.specular = statements_.specular;
+        ValueStatement stated = header_.states;
+        const ValueStatement by_name = values_stated(spectrum.name);
+        if (by_name.quantity || !by_name.unusable.empty()) stated = by_name;
+        if (const auto specular = specular_stated(spectrum.name)) spectrum.geometry.specular = specular;
+        row.unit = by_name.unit;
+        for (std::size_t i = 0; i < header_.labels.size(); ++i) {
+            const std::string_view cell = cells[header_.label[i]];
+            if (cell.empty() || header_.label[i] == 0) continue;
+            const std::string value = unescaped(cell);
+            spectrum.notes.push_back({.line = line, .key = header_.labels[i], .value = value});
+            const ValueStatement label = stated_by_label(header_.labels[i], value);
+            const auto specular = specular_stated(header_.labels[i], value);
+            if (label.quantity || !label.unusable.empty()) stated = label;
+            if (label.unit) row.unit = label.unit;
+            if (specular) spectrum.geometry.specular = specular;
+            if (label.quantity || specular || !label.unusable.empty()) row.told_apart += " " + value;
+        }
+        if (stated.quantity) spectrum.quantity = stated.quantity;
+        if (stated.unusable.empty() && !stated.quantity) stated.unusable = statements_.values.unusable;
+        if (!stated.unusable.empty()) {
+            spectrum.unusable = fmt::format("{} is neither reflectance nor transmittance as fraction or percent",
+                                            in_quotes(stated.unusable));
         }
     }
-    if (header.labels.empty() || header.wavelength_nm.size() < fewest) return std::nullopt;
-    const std::string first = lower_case(header.labels.front());
-    if (first.find("wave") != std::string::npos || first.find("nm") != std::string::npos) return std::nullopt;
-    const auto& nm = header.wavelength_nm;
-    const bool ascends = std::ranges::adjacent_find(nm, std::ranges::greater_equal{}) == nm.end();
-    const bool descends = std::ranges::adjacent_find(nm, std::ranges::less_equal{}) == nm.end();
-    return ascends || descends ? std::optional(header) : std::nullopt;
-}
 
-/// The first line that is neither empty nor a comment.
-std::string_view first_content(std::string_view text) {
-    LineReader reader(text);
-    while (const auto line = reader.next()) {
-        const std::string_view content = trimmed(*line);
-        if (!content.empty() && content.front() != '#') return *line;
+    /// A label for the quantity states it in any words, another one only by its plain name.
+    static ValueStatement stated_by_label(std::string_view name, std::string_view value) {
+        static constexpr std::array<std::string_view, 9> plain = {"reflectance", "transmittance", "absorbance",
+                                                                  "absorptance", "fluorescence",  "irradiance",
+                                                                  "radiance",    "raw",           "counts"};
+        if (is_ordinate_key(name)) return values_stated_by_letter(value);
+        const bool states = std::ranges::find(plain, lower_case(value)) != plain.end();
+        return states ? values_stated(value) : ValueStatement{};
     }
-    return {};
-}
 
-/// The values of one row; NaN where one is missing.
-std::vector<double> values_in(std::span<const std::string_view> cells, const RowHeader& header, bool decimal_comma,
-                              const std::string& source, std::size_t line) {
-    std::vector<double> values;
-    values.reserve(header.wavelength_nm.size());
-    for (std::size_t i = 0; i < header.wavelength_nm.size(); ++i) {
-        const std::string_view cell = cells[header.labels.size() + i];
-        const std::optional<double> number = parse_cell(cell, decimal_comma);
-        const bool usable = number && std::isfinite(*number);
-        if (!usable && !is_missing(cell)) {
-            refuse_cell(fmt::format("{}:{}", source, line), fmt::format("the value at {} nm", header.wavelength_nm[i]),
-                        cell, decimal_comma);
+    /// Rows of one name get what their labels state beside it: `forearm 1 SCE`.
+    static void tell_names_apart(std::vector<ReadRow>& rows) {
+        std::map<std::string, std::size_t> count;
+        for (const ReadRow& row : rows) ++count[row.spectrum.name];
+        for (ReadRow& row : rows) {
+            if (count[row.spectrum.name] > 1) row.spectrum.name += row.told_apart;
         }
-        values.push_back(usable ? *number : std::numeric_limits<double>::quiet_NaN());
     }
-    return values;
-}
 
-void check_width(std::span<const std::string_view> cells, const RowHeader& header, const Row& row,
-                 const std::string& source, std::size_t header_line) {
-    const std::size_t width = header.labels.size() + header.wavelength_nm.size();
-    const std::size_t found = cells.size() < width ? cells.size() : filled_width(cells);
-    if (cells.size() >= width && found <= width) return;
-    throw InputError({.where = fmt::format("{}:{}", source, row.line),
-                      .problem = fmt::format("has {} field{}", found, found == 1 ? "" : "s"),
-                      .why = fmt::format("line {} has {}", header_line, width),
-                      .remedy = "give every spectrum one field per name and wavelength of the header"});
-}
-
-/// The spectrum's name and what else the cells before its values say.
-void take_labels(Spectrum& spectrum, std::span<const std::string_view> cells, const RowHeader& header,
-                 std::size_t line) {
-    spectrum.name = cells.front().empty() ? fmt::format("line {}", line) : unescaped(cells.front());
-    spectrum.line = line;
-    for (std::size_t i = 1; i < header.labels.size(); ++i) {
-        if (cells[i].empty()) continue;
-        spectrum.notes.push_back({.line = line, .key = header.labels[i], .value = unescaped(cells[i])});
+    [[nodiscard]] UnitStatements unit_statements(const ReadRow& row) const {
+        std::optional<Unit> named = row.unit ? row.unit : values_stated(header_.labels.front()).unit;
+        if (!named) named = header_.states.unit;
+        if (!named) named = statements_.values.unit;
+        return {.option = options_.unit, .comment = description_.unit, .named = named};
     }
-}
+
+    /// The name of the first spectrum that is in percent, by its labels or by its values; empty where none is.
+    [[nodiscard]] std::string row_in_percent(const std::vector<ReadRow>& rows) const {
+        for (const ReadRow& row : rows) {
+            if (!row.spectrum.unusable.empty()) continue;
+            const UnitStatements stated = unit_statements(row);
+            if (stated.option || stated.comment) return {};
+            if (stated.named ? *stated.named == Unit::percent : shows_percent(row.values)) return row.spectrum.name;
+        }
+        return {};
+    }
+
+    const RowHeader& header_;
+    const std::string& source_;
+    const ReadOptions& options_;
+    std::vector<Row> rows_{};
+    Description description_{};
+    FileStatements statements_{};
+    bool decimal_comma_ = false;
+    Grid grid_{};
+};
 
 }  // namespace
 
 bool holds_spectra_in_rows(std::string_view text) {
-    return row_header(first_content(text)).has_value();
+    return find_row_header(text).has_value();
 }
 
 std::vector<Spectrum> read_rows(std::string_view text, const std::string& source, const ReadOptions& options) {
     const Lines lines = split_comments(text, source);
-    const std::optional<RowHeader> header = lines.rows.empty() ? std::nullopt : row_header(lines.rows.front().text);
-    if (!header || lines.rows.size() < 2) {
+    std::optional<RowHeader> header = find_row_header(text);
+    // Whoever asks for rows gets them, whatever the corner says.
+    if (!header && !lines.rows.empty()) header = row_header_in(lines.rows.front().text, lines.rows.front().line);
+    const bool has_rows = header && !lines.rows.empty() && lines.rows.back().line > header->line;
+    if (!has_rows) {
         throw InputError({.where = source,
                           .problem = header ? "holds no numbers" : "has no header of wavelengths",
                           .why = "the first line names the cells: an id, then at least three wavelengths in nm",
                           .remedy = "check that the file is complete, or choose another --reader"});
     }
-    const Description description = read_description(source, lines.comments);
-    const std::size_t header_line = lines.rows.front().line;
-    const Grid grid = make_grid(header->wavelength_nm, [&](std::size_t i) {
-        return GridPlace{.where = fmt::format("{}:{}", source, header_line), .which = fmt::format("value {}", i + 1)};
-    });
-    const bool decimal_comma =
-        header->separator != ',' && header->separator != ' ' &&
-        std::ranges::any_of(lines.rows, [](const Row& row) { return row.text.find(',') != std::string_view::npos; });
-    std::vector<Spectrum> spectra;
-    CellCutter cutter(header->separator);
-    for (const Row& row : std::span(lines.rows).subspan(1)) {
-        const std::span<const std::string_view> cells = cutter.cut(row.text);
-        if (filled_width(cells) == 0) continue;
-        check_width(cells, *header, row, source, header_line);
-        const std::vector<double> values = values_in(cells, *header, decimal_comma, source, row.line);
-        Spectrum spectrum = spectrum_of(description);
-        spectrum.source = source;
-        take_labels(spectrum, cells, *header, row.line);
-        take_readings(spectrum, grid, {.value = values},
-                      {.option = options.unit, .comment = description.unit, .header = header->labels.front()});
-        if (!spectrum.value.empty()) spectra.push_back(std::move(spectrum));
-    }
-    return spectra;
+    return RowReader(lines, *header, source, options).read();
 }
 
 }  // namespace skinfit

@@ -12,6 +12,42 @@
 
 namespace skinfit {
 
+namespace {
+
+/// The first readings of runs that ascend, or descend as `sign` is -1.
+std::vector<std::size_t> starts_of_runs(std::span<const double> wavelength_nm, double sign) {
+    std::vector<std::size_t> starts{0};
+    for (std::size_t i = 1; i < wavelength_nm.size(); ++i) {
+        if (sign * (wavelength_nm[i] - wavelength_nm[i - 1]) <= 0) starts.push_back(i);
+    }
+    return starts;
+}
+
+/// The readings of later detectors at wavelengths that an earlier one has measured; nothing where the wavelengths are
+/// no overlapping runs.
+std::vector<std::size_t> overlaps(std::span<const double> wavelength_nm) {
+    constexpr std::size_t fewest_readings = 10;  // chosen: fewer may be a slip in one line
+    constexpr std::size_t most_detectors = 6;    // chosen: instruments have up to three or four
+    if (wavelength_nm.size() < 2 * fewest_readings) return {};
+    const double sign = wavelength_nm[1] > wavelength_nm[0] ? 1 : -1;
+    std::vector<std::size_t> starts = starts_of_runs(wavelength_nm, sign);
+    if (starts.size() < 2 || starts.size() > most_detectors) return {};
+    starts.push_back(wavelength_nm.size());
+    std::vector<std::size_t> left_out;
+    double reached = sign * wavelength_nm[starts[1] - 1];
+    for (std::size_t k = 0; k + 1 < starts.size(); ++k) {
+        const double last = sign * wavelength_nm[starts[k + 1] - 1];
+        if (starts[k + 1] - starts[k] < fewest_readings || (k > 0 && last <= reached)) return {};
+        for (std::size_t i = starts[k]; k > 0 && i < starts[k + 1]; ++i) {
+            if (sign * wavelength_nm[i] <= reached) left_out.push_back(i);
+        }
+        reached = last;
+    }
+    return left_out;
+}
+
+}  // namespace
+
 Grid make_grid(std::span<const double> wavelength_nm, const std::function<GridPlace(std::size_t)>& place) {
     for (std::size_t i = 0; i < wavelength_nm.size(); ++i) {
         if (wavelength_range_nm.contains(wavelength_nm[i])) continue;
@@ -24,6 +60,12 @@ Grid make_grid(std::span<const double> wavelength_nm, const std::function<GridPl
     Grid grid;
     grid.order.resize(wavelength_nm.size());
     std::iota(grid.order.begin(), grid.order.end(), std::size_t{0});
+    if (const std::vector<std::size_t> left_out = overlaps(wavelength_nm); !left_out.empty()) {
+        std::erase_if(grid.order, [&](std::size_t i) { return std::ranges::binary_search(left_out, i); });
+        grid.remark =
+            fmt::format("{} readings between {} and {} nm, where a detector overlaps the one before it, are left out",
+                        left_out.size(), wavelength_nm[left_out.front()], wavelength_nm[left_out.back()]);
+    }
     std::ranges::stable_sort(grid.order, {}, [&](std::size_t i) { return wavelength_nm[i]; });
     for (const std::size_t i : grid.order) grid.wavelength_nm.push_back(wavelength_nm[i]);
     const auto first = std::ranges::adjacent_find(grid.wavelength_nm);
@@ -49,6 +91,7 @@ void take_numbers(Spectrum& spectrum, const Grid& grid, const Readings& readings
         if (!readings.sigma.empty()) spectrum.sigma.push_back(readings.sigma[grid.order[i]]);
     }
     spectrum.missing = grid.order.size() - spectrum.value.size();
+    if (!grid.remark.empty()) spectrum.remarks.push_back(grid.remark);
 }
 
 void take_unit(Spectrum& spectrum, const UnitFinding& found) {

@@ -18,6 +18,7 @@ namespace skinfit {
 struct Grid {
     std::vector<double> wavelength_nm;
     std::vector<std::size_t> order;  ///< where each stands in the file
+    std::string remark{};            ///< what was left out of the file's wavelengths, in words; else empty
 };
 
 /// How messages name the place of a wavelength.
@@ -26,8 +27,10 @@ struct GridPlace {
     std::string which;  ///< `line 4`
 };
 
-/// Sorts the wavelengths of a file, given in its order. Throws InputError for one outside [100, 10000] nm and for one
-/// that is repeated; `place` names the i-th.
+/// Sorts the wavelengths of a file, given in its order. Detectors of one instrument may overlap: of two to six runs
+/// that ascend, or descend, each with ten readings or more and each going on beyond the last, a later run's readings
+/// within an earlier one are left out. Throws InputError for a wavelength outside [100, 10000] nm and for one that is
+/// repeated otherwise; `place` names the i-th.
 [[nodiscard]] Grid make_grid(std::span<const double> wavelength_nm, const std::function<GridPlace(std::size_t)>& place);
 
 /// The readings of one spectrum, in the order of its file: NaN where one is missing.

@@ -13,7 +13,7 @@
 namespace skinfit {
 namespace {
 
-[[noreturn]] void refuse(const std::string& where, const std::string& problem, const std::string& why) {
+[[noreturn]] void refuse_csv(const std::string& where, const std::string& problem, const std::string& why) {
     throw InputError({.where = where,
                       .problem = problem,
                       .why = why,
@@ -68,7 +68,8 @@ std::string sigma_source(const std::vector<Spectrum>& spectra, const std::string
     for (const Spectrum& spectrum : spectra) {
         if (!spectrum.sigma.empty()) sources.insert(spectrum.sigma_source);
     }
-    if (sources.size() > 1) refuse(where, "holds uncertainties of different sources", "one comment states the source");
+    if (sources.size() > 1)
+        refuse_csv(where, "holds uncertainties of different sources", "one comment states the source");
     return sources.empty() ? "" : fmt::format("# sigma_source: {}\n", *sources.begin());
 }
 
@@ -88,8 +89,8 @@ std::vector<double> common_wavelengths(const std::vector<Spectrum>& spectra, con
     const auto other = std::ranges::find_if(spectra, [&spectra](const Spectrum& spectrum) {
         return spectrum.wavelength_nm != spectra.front().wavelength_nm;
     });
-    refuse(where, fmt::format("\"{}\" has other wavelengths than \"{}\"", other->name, spectra.front().name),
-           "the lines of a table have one wavelength each");
+    refuse_csv(where, fmt::format("\"{}\" has other wavelengths than \"{}\"", other->name, spectra.front().name),
+               "the lines of a table have one wavelength each");
 }
 
 std::string quoted(const std::string& name) {
@@ -143,8 +144,8 @@ std::string spectra_csv(const std::vector<Spectrum>& spectra, const std::string&
     const std::string described = description(spectra.front());
     for (const Spectrum& spectrum : spectra) {
         if (description(spectrum) == described) continue;
-        refuse(where, fmt::format("\"{}\" is described otherwise than \"{}\"", spectrum.name, spectra.front().name),
-               "the comments of a table hold for all of its columns");
+        refuse_csv(where, fmt::format("\"{}\" is described otherwise than \"{}\"", spectrum.name, spectra.front().name),
+                   "the comments of a table hold for all of its columns");
     }
     const std::vector<double> wavelength_nm = common_wavelengths(spectra, where);
     std::string text = described + notes(spectra) + sigma_source(spectra, where);
@@ -159,8 +160,8 @@ std::string spectra_csv(const std::vector<Spectrum>& spectra, const std::string&
         }
     };
     if (!reads_back()) {
-        refuse(where, "its names or comments cannot stand in a table of text",
-               "names must be different, on one line, and not say anything about unit or quantity");
+        refuse_csv(where, "its names or comments cannot stand in a table of text",
+                   "names must be different, on one line, and not say anything about unit or quantity");
     }
     return text;
 }

@@ -14,6 +14,7 @@
 #include "measurements/envi_reader.hpp"
 #include "measurements/limits.hpp"
 #include "measurements/readers.hpp"
+#include "measurements/row_header.hpp"
 #include "measurements/spectrum_choice.hpp"
 #include "measurements/words.hpp"
 
@@ -60,6 +61,25 @@ void refuse_zip(std::string_view text, const std::string& source) {
                       .remedy = "unpack it, or export the spreadsheet as CSV in UTF-8"});
 }
 
+/// Leaves out what is no spectrum that can be used, and says so. Throws InputError where nothing else is left.
+void leave_out_unusable(SpectrumFile& file) {
+    const auto is_unusable = [](const Spectrum& spectrum) { return !spectrum.unusable.empty(); };
+    const auto first = std::ranges::find_if(file.spectra, is_unusable);
+    if (first == file.spectra.end()) return;
+    if (std::ranges::all_of(file.spectra, is_unusable)) {
+        throw InputError(
+            {.where = first->line > 0 ? fmt::format("{}:{}", file.source, first->line) : file.source,
+             .problem = fmt::format("{} cannot be used", in_quotes(first->name)),
+             .why = first->unusable,
+             .remedy = "export the reflectance or transmittance; of an absorbance A or log(1/R) it is 10^-A"});
+    }
+    const std::string remark = fmt::format("left out: {} of {} spectra, the first of them {} ({})",
+                                           std::ranges::count_if(file.spectra, is_unusable), file.spectra.size(),
+                                           in_quotes(first->name), first->unusable);
+    std::erase_if(file.spectra, is_unusable);
+    for (Spectrum& spectrum : file.spectra) spectrum.remarks.push_back(remark);
+}
+
 /// Text has no pixels to choose.
 void refuse_region(const RegionChoice& region, const std::string& source) {
     if (!region.mask && !region.rectangle) return;
@@ -97,6 +117,8 @@ SpectrumFile with_printable_words(SpectrumFile file) {
             note.key = printable(note.key);
             note.value = printable(note.value);
         }
+        for (std::string& remark : spectrum.remarks) remark = printable(remark);
+        for (FileDoubt& doubt : spectrum.doubts) doubt.message = printable(doubt.message);
     }
     file.source = printable(file.source);
     return file;
@@ -122,6 +144,7 @@ SpectrumFile parse_spectra(std::string_view text, const std::string& source, con
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     refuse_zip(text, source);
     refuse_region(options.region, source);
+    if (!reader) refuse_two_axes(text, source);
     const Reader& chosen = find_reader(text, reader);
     SpectrumFile file{
         .source = source, .format = std::string(chosen.name), .spectra = chosen.read(text, source, options)};
@@ -134,6 +157,7 @@ SpectrumFile parse_spectra(std::string_view text, const std::string& source, con
     if (options.column && chosen.read != read_columns) {
         file.spectra = {choose_spectrum(std::move(file.spectra), source, *options.column)};
     }
+    leave_out_unusable(file);
     return with_printable_words(std::move(file));
 }
 

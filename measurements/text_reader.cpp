@@ -7,11 +7,8 @@
 #include "core/file.hpp"
 #include "core/geometry.hpp"
 #include "core/input_error.hpp"
-#include "measurements/cell_numbers.hpp"
-#include "measurements/column_choice.hpp"
-#include "measurements/columns.hpp"
+#include "measurements/column_reader.hpp"
 #include "measurements/envi_reader.hpp"
-#include "measurements/header.hpp"
 #include "measurements/spectrum_choice.hpp"
 #include "measurements/spectrum_file.hpp"
 
@@ -19,7 +16,7 @@ namespace skinfit {
 namespace {
 
 [[noreturn]] void refuse_choice(const SpectrumFile& file, std::string_view text) {
-    if (file.format == "columns") (void)choose_column(split_columns(text, file.source), std::nullopt);
+    if (file.format == "columns") refuse_several_columns(text, file.source);
     throw InputError({.where = file.source,
                       .problem = fmt::format("has {} spectra", file.spectra.size()),
                       .why = list_of_names(file.spectra),
@@ -33,13 +30,7 @@ ValuePlace place_of(const SpectrumFile& file, std::string_view text, const ReadO
         const std::size_t line = file.spectra.front().line;
         return {.where = line > 0 ? fmt::format("{}:{}", file.source, line) : file.source};
     }
-    const Columns columns = split_columns(text, file.source);
-    const std::vector<double> wavelengths = read_numbers(columns, std::array<std::size_t, 1>{0}).front();
-    const double scale = nanometres_per_unit(columns);
-    const auto found = std::ranges::find_if(wavelengths, [&](double at) { return at * scale == wavelength_nm; });
-    const ColumnChoice choice = choose_column(columns, options.column);
-    return {.where = at_line(columns, columns.rows[static_cast<std::size_t>(found - wavelengths.begin())].line),
-            .sigma = choice.sigma ? label(columns, *choice.sigma) : "sigma"};
+    return place_in_columns(text, file.source, options, wavelength_nm);
 }
 
 /// Refuses values that no fit can use.

@@ -23,13 +23,21 @@ struct UnitFinding {
 
 /// What states the unit of a file's values, in order of precedence.
 struct UnitStatements {
-    std::optional<Unit> option;   ///< the user
-    std::optional<Unit> comment;  ///< a comment in the file
-    std::string_view header;      ///< percent where it holds `%` or "percent"
+    std::optional<Unit> option;     ///< the user
+    std::optional<Unit> comment;    ///< a comment in the file
+    std::string_view header{};      ///< the name of the values; `values_stated` says what it states
+    std::optional<Unit> named{};    ///< the same where it is known already
+    std::string_view percent_in{};  ///< another spectrum of the table that is in percent, where one is; else empty
 };
 
-/// The unit as stated; where nothing states it, percent when half of `values` or more exceed `largest_fraction` and
-/// fraction otherwise, so that one stray value does not rescale a file. `values` must not be empty.
+/// The unit as stated; where nothing states it, percent when half of `values` or more exceed `largest_fraction`, or
+/// where another spectrum of the table is in percent, and fraction otherwise, so that one stray value does not rescale
+/// a file. `values` must not be empty.
 [[nodiscard]] UnitFinding find_unit(const UnitStatements& statements, std::span<const double> values);
+
+/// Whether values of which nothing states the unit show that they, and the table they stand in, are in percent: half of
+/// them or more exceed `largest_fraction`, and half or more do not exceed it as percent, as raw signals would. NaN
+/// stands for missing values.
+[[nodiscard]] bool shows_percent(std::span<const double> values);
 
 }  // namespace skinfit

@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <utility>
 
 #include "core/text.hpp"
 
@@ -20,8 +24,69 @@ std::string in_quotes(std::string_view text) {
 }
 
 bool is_missing(std::string_view cell) {
-    const std::string text = lower_case(cell);
-    return text.empty() || text == "nan" || text == "na" || text == "n/a";
+    static constexpr std::array<std::string_view, 30> words = {
+        "nan",  "na",   "n/a",  "+nan",  "-nan",   "null",    "none",    "nil",      "missing", "n.a.",
+        "<na>", "-",    "--",   "---",   ".",      "*",       "**",      "***",      "#n/a",    "#na",
+        "inf",  "+inf", "-inf", "#num!", "#null!", "#value!", "#div/0!", "infinity", "#ref!",   "#name?"};
+    if (cell.empty()) return true;
+    if (is_digit(cell.back()) && cell.find('#') == std::string_view::npos) return false;  // the usual number, soon told
+    std::string text = lower_case(cell);
+    if (std::ranges::find(words, text) != words.end()) return true;
+    if (text.front() == '+' || text.front() == '-') text.erase(0, 1);
+    if (!text.starts_with("1.#") && !text.starts_with("1,#")) return false;
+    const std::string_view kind = std::string_view(text).substr(3, text.find_last_not_of("0123456789") - 2);
+    return kind == "qnan" || kind == "snan" || kind == "nan" || kind == "ind" || kind == "inf";
+}
+
+bool is_fill_number(double number) {
+    static constexpr std::array<double, 15> numbers = {-99,    -999,   -9999,  -99999,        -999999,
+                                                       9999,   99999,  999999, -99.9,         -999.9,
+                                                       -99.99, -32768, -32767, -2147483648.0, -9999.9};
+    if (number > -90 && number < 9000) return false;
+    constexpr double beyond_any_reading = 1e19;
+    return std::abs(number) >= beyond_any_reading || std::ranges::find(numbers, number) != numbers.end();
+}
+
+std::string plain_text(std::string_view text) {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 14> signs = {{{"\u00b5", "u"},
+                                                                                             {"\u03bc", "u"},
+                                                                                             {"\u207b\u00b9", "-1"},
+                                                                                             {"\u207b\u00b2", "-2"},
+                                                                                             {"\u2212", "-"},
+                                                                                             {"\u00b2", "2"},
+                                                                                             {"\u00d7", "x"},
+                                                                                             {"\u00b7", "."},
+                                                                                             {"\u03bb", "lambda"},
+                                                                                             {"\u00c5", "angstrom"},
+                                                                                             {"\u212b", "angstrom"},
+                                                                                             {"\u03c3", "sigma"},
+                                                                                             {"\u00b1", "+/-"},
+                                                                                             {"\u00a0", " "}}};
+    std::string plain = lower_case(text);
+    if (std::ranges::all_of(plain, [](char c) { return static_cast<unsigned char>(c) < 0x80; })) return plain;
+    for (const auto& [sign, meaning] : signs) {
+        for (std::size_t at = plain.find(sign); at != std::string::npos; at = plain.find(sign, at)) {
+            plain.replace(at, sign.size(), meaning);
+        }
+    }
+    for (std::size_t i = 0; i < plain.size(); ++i) {  // Latin-1, where no character of UTF-8 ends in it
+        const bool alone = i == 0 || static_cast<unsigned char>(plain[i - 1]) < 0x80;
+        if (plain[i] == '\xb5' && alone) plain[i] = 'u';
+    }
+    return plain;
+}
+
+std::vector<std::string> tokens_of(std::string_view plain) {
+    std::vector<std::string> tokens;
+    bool inside = false;
+    for (const char c : plain) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool is_part = std::isalnum(byte) != 0 || byte >= 0x80;
+        if (is_part && !inside) tokens.emplace_back();
+        if (is_part) tokens.back() += c;
+        inside = is_part;
+    }
+    return tokens;
 }
 
 std::string lower_case(std::string_view text) {

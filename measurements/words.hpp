@@ -2,14 +2,34 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace skinfit {
 
 /// `text` in double quotes, on one line and cut after 40 bytes, for messages.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-/// True for text that stands for a number that is not there: nothing at all, NaN, NA or N/A in any case.
+/// True for text that stands for a number that is not there: nothing at all, NaN, NA, null and their kin, infinities, a
+/// dash, the errors of spreadsheets (`#N/A`, `#DIV/0!`) and what old C libraries of Microsoft print (`1.#QNAN`,
+/// `-1.#IND`), in any case.
 [[nodiscard]] bool is_missing(std::string_view cell);
+
+/// True for a number that programs write where there is none, and that no reading is: -999, -9999 and the like, the
+/// extremes of integers, and anything beyond 1e19 either way, as NetCDF's 9.97e36 or the -1.23e34 of the USGS.
+[[nodiscard]] bool is_fill_number(double number);
+
+/// In lower case, with the signs that stand for letters, digits or blanks as these: `\u00b5` as u, `\u207b\u00b9` as
+/// -1,
+/// `\u03bb` as lambda, also in Latin-1.
+[[nodiscard]] std::string plain_text(std::string_view text);
+
+/// The words of a `plain_text`: its runs of letters and digits.
+[[nodiscard]] std::vector<std::string> tokens_of(std::string_view plain);
+
+/// Whether `part` occurs in `text`.
+[[nodiscard]] inline bool contains(std::string_view text, std::string_view part) {
+    return text.find(part) != std::string_view::npos;
+}
 
 /// The text in lower case (ASCII letters).
 [[nodiscard]] std::string lower_case(std::string_view text);

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Names of columns that hold neither spectra nor their uncertainties.
+namespace skinfit {
+
+/// Row numbers and names of readings, wherever they stand.
+[[nodiscard]] bool counts_readings(std::string_view name);
+
+/// The same, and names of specimens, in front of the wavelengths: a data frame's index without a name, `id`, `sample`.
+[[nodiscard]] bool is_label_in_front(std::string_view name);
+
+/// What a reflectance or transmittance beside it was made of: `dark`, `white`, `sample`.
+[[nodiscard]] bool is_raw_beside_quantity(std::string_view name);
+
+/// Column `c` of Ocean Optics' Jaz is dark, reference or sample: its names are W, D, R, S and P, the processed
+/// spectrum.
+[[nodiscard]] bool is_raw_of_jaz(const std::vector<std::string>& names, std::size_t c);
+
+}  // namespace skinfit

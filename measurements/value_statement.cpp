@@ -1,0 +1,222 @@
+#include "measurements/value_statement.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <span>
+#include <vector>
+
+#include "core/text.hpp"
+#include "measurements/words.hpp"
+
+namespace skinfit {
+namespace {
+
+using Words = std::span<const std::string_view>;
+
+bool is_one_of(std::string_view word, Words words) {
+    return std::ranges::find(words, word) != words.end();
+}
+
+bool any_is_one_of(const std::vector<std::string>& tokens, Words words) {
+    return std::ranges::any_of(tokens, [&](const std::string& token) { return is_one_of(token, words); });
+}
+
+bool any_starts_with(const std::vector<std::string>& tokens, Words beginnings) {
+    return std::ranges::any_of(tokens, [&](const std::string& token) {
+        return std::ranges::any_of(beginnings, [&](std::string_view word) { return token.starts_with(word); });
+    });
+}
+
+/// `text` without blanks and underscores.
+std::string compact(std::string_view text) {
+    std::string kept(text);
+    std::erase_if(kept, [](char c) { return c == ' ' || c == '_' || c == '\t'; });
+    return kept;
+}
+
+/// Without what stands in brackets at its end, and without percent signs: `Raw [counts]` is `raw`.
+std::string without_unit(std::string text) {
+    while (!text.empty() && (text.back() == ')' || text.back() == ']')) {
+        const std::size_t open = text.rfind(text.back() == ')' ? '(' : '[');
+        if (open == std::string::npos) break;
+        text.erase(open);
+        text = std::string(trimmed(text));
+    }
+    std::erase(text, '%');
+    for (const std::string_view word : {"percent", "pct", "fraction"}) {
+        if (const std::size_t at = text.find(word); at != std::string::npos) text.erase(at, word.size());
+    }
+    std::ranges::replace(text, '_', ' ');
+    return std::string(trimmed(text));
+}
+
+/// Computed from a reflectance or measured instead of one, whatever other words stand beside.
+bool is_never_usable(const std::string& text, const std::vector<std::string>& tokens) {
+    static constexpr std::array<std::string_view, 17> words = {
+        "abs",    "od",    "dn",         "dns",        "log", "log10", "ln",        "ks", "logr",
+        "counts", "count", "extinction", "derivative", "snv", "rfu",   "emittance", "adu"};
+    static constexpr std::array<std::string_view, 12> beginnings = {
+        "absorb",   "absorp",  "radianc",    "irradian",   "fluoresc",  "luminesc",
+        "phosphor", "kubelka", "emissivity", "extinktion", "derivativ", "luminance"};
+    static constexpr std::array<std::string_view, 20> phrases = {
+        "log(1/", "log1/", "log10(", "log(r", "-log", "ln(1/",  "ln(r", "k/s",    "f(r)",        "w/m",
+        "w/cm",   "w/(m",  "w/sr",   "w.m-2", "umol", "1-refl", "1-r/", "1/refl", "opticaldens", "digitalnumber"};
+    const std::string packed = compact(text);
+    return any_is_one_of(tokens, words) || any_starts_with(tokens, beginnings) ||
+           std::ranges::any_of(phrases, [&](std::string_view phrase) { return contains(packed, phrase); }) ||
+           packed == "1-r" || packed == "1/r";
+}
+
+/// Raw signals, unless the same words call them a reflectance or transmittance.
+bool is_raw_signal(const std::string& text, const std::vector<std::string>& tokens) {
+    static constexpr std::array<std::string_view, 8> words = {"intensity", "intensities", "emission", "scope",
+                                                              "voltage",   "photons",     "raman",    "scattering"};
+    static constexpr std::array<std::string_view, 12> whole = {
+        "raw",       "raw data", "raw signal",      "signal",         "dark signal", "dark current",
+        "reference", "ref",      "white reference", "dark reference", "background",  "baseline"};
+    return any_is_one_of(tokens, words) || is_one_of(without_unit(text), whole);
+}
+
+std::optional<Quantity> quantity_of(const std::string& text, const std::vector<std::string>& tokens) {
+    static constexpr std::array<std::string_view, 6> reflecting = {"refle",
+                                                                   "refl",
+                                                                   "remission",
+                                                                   "remittance",
+                                                                   "riflett",
+                                                                   "r\xC3\xA9"
+                                                                   "flect"};
+    static constexpr std::array<std::string_view, 3> transmitting = {"transmi", "transm", "trasmitt"};
+    static constexpr std::array<std::string_view, 1> trans = {"trans"};
+    const std::string packed = compact(text);
+    const auto states = [&](std::string_view letter) {
+        const std::size_t at = packed.find("%" + std::string(letter));
+        const bool leads = at != std::string::npos && (at + 2 == packed.size() || tokens.size() == 1 ||
+                                                       !std::isalpha(static_cast<unsigned char>(packed[at + 2])));
+        return leads;
+    };
+    const bool reflects = any_starts_with(tokens, reflecting) || contains(text, "reflectance") || states("r");
+    const bool transmits = any_starts_with(tokens, transmitting) || any_is_one_of(tokens, trans) ||
+                           contains(text, "transmittance") || states("t");
+    if (reflects == transmits) return std::nullopt;
+    return reflects ? Quantity::reflectance : Quantity::transmittance;
+}
+
+/// A percent sign is a unit but behind an amount: `5 % melanin` is a name, `100%T` is not.
+bool states_percent(const std::string& text, const std::vector<std::string>& tokens) {
+    static constexpr std::array<std::string_view, 3> words = {"percent", "pct", "prozent"};
+    if (any_is_one_of(tokens, words) || contains(text, "percent")) return true;
+    const std::string packed = compact(text);
+    for (std::size_t at = packed.find('%'); at != std::string::npos; at = packed.find('%', at + 1)) {
+        const bool amount = at > 0 && is_digit(packed[at - 1]);
+        const char next = at + 1 < packed.size() ? packed[at + 1] : ' ';
+        if (!amount || next == 'r' || next == 't') return true;
+    }
+    return contains(packed, "x100)") || contains(packed, "x100]") || packed.ends_with("x100");
+}
+
+bool states_fraction(const std::string& text, const std::vector<std::string>& tokens) {
+    static constexpr std::array<std::string_view, 5> words = {"fraction", "unitless", "dimensionless", "fractional",
+                                                              "decimal"};
+    static constexpr std::array<std::string_view, 9> phrases = {"[1.0]", "(1.0)", "[1]",    "(0-1)", "[0-1]",
+                                                                "[0,1]", "[-]",   "(0..1)", "[0..1]"};
+    const std::string packed = compact(text);
+    return any_is_one_of(tokens, words) ||
+           std::ranges::any_of(phrases, [&](std::string_view phrase) { return contains(packed, phrase); });
+}
+
+/// `x10000`, `*1e4`, `(10^-4)` or a thousandth: numbers that are neither fractions nor percent.
+bool is_scaled(const std::string& text) {
+    const std::string packed = compact(text);
+    if (contains(packed, "\xE2\x80\xB0") || contains(packed, "permille") || contains(packed, "10^") ||
+        contains(packed, "10**")) {
+        return true;
+    }
+    for (std::size_t at = text.find_first_of("x*/"); at != std::string::npos; at = text.find_first_of("x*/", at + 1)) {
+        const bool inside_a_word =
+            text[at] == 'x' && at > 0 && std::isalpha(static_cast<unsigned char>(text[at - 1])) != 0;
+        const std::string_view number = trimmed(std::string_view(text).substr(at + 1));
+        const std::size_t size = std::min(number.find_first_not_of("0123456789e"), number.size());
+        const bool is_power = number.starts_with("10") || number.starts_with("1e");
+        if (!inside_a_word && is_power && size >= 2 && number.substr(0, size) != "100") return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+ValueStatement values_stated(std::string_view text) {
+    const std::string plain = plain_text(text);
+    const std::vector<std::string> tokens = tokens_of(plain);
+    ValueStatement statement{.quantity = quantity_of(plain, tokens)};
+    if (is_never_usable(plain, tokens) || (!statement.quantity && is_raw_signal(plain, tokens)) || is_scaled(plain)) {
+        return {.unusable = std::string(text)};
+    }
+    if (states_percent(plain, tokens)) {
+        statement.unit = Unit::percent;
+    } else if (states_fraction(plain, tokens)) {
+        statement.unit = Unit::fraction;
+    }
+    return statement;
+}
+
+bool is_single_letter(std::string_view name) {
+    return without_unit(plain_text(name)).size() == 1;
+}
+
+bool is_quantity_letter(std::string_view name) {
+    const std::string letter = without_unit(plain_text(name));
+    return letter == "r" || letter == "t" || letter == "a";
+}
+
+ValueStatement values_stated_by_letter(std::string_view text) {
+    ValueStatement statement = values_stated(text);
+    if (!is_quantity_letter(text) || statement.quantity) return statement;
+    const std::string letter = without_unit(plain_text(text));
+    if (letter == "a") return {.unusable = std::string(text)};
+    statement.quantity = letter == "r" ? Quantity::reflectance : Quantity::transmittance;
+    return statement;
+}
+
+std::optional<Specular> specular_stated(std::string_view text) {
+    static constexpr std::array<std::string_view, 4> in = {"SCI", "SPIN", "SIN", "sci"};
+    static constexpr std::array<std::string_view, 4> out = {"SCE", "SPEX", "SEX", "sce"};
+    bool included = false;
+    bool excluded = false;
+    const std::string spaced = [text] {
+        std::string words(text);
+        std::ranges::replace_if(
+            words, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, ' ');
+        return words;
+    }();
+    for (const std::string_view word : split(spaced, ' ')) {
+        included = included || is_one_of(word, in);
+        excluded = excluded || is_one_of(word, out);
+    }
+    const std::string plain = plain_text(text);
+    if (contains(plain, "specular") || contains(plain, "gloss")) {
+        included = included || contains(plain, "incl");
+        excluded = excluded || contains(plain, "excl");
+    }
+    if (included == excluded) return std::nullopt;
+    return included ? Specular::included : Specular::excluded;
+}
+
+std::optional<Specular> specular_stated(std::string_view name, std::string_view value) {
+    static constexpr std::array<std::string_view, 5> yes = {"yes", "y", "on", "true", "1"};
+    static constexpr std::array<std::string_view, 5> no = {"no", "n", "off", "false", "0"};
+    static constexpr std::array<std::string_view, 4> in = {"included", "include", "incl", "in"};
+    static constexpr std::array<std::string_view, 5> out = {"excluded", "exclude", "excl", "ex", "out"};
+    if (const auto stated = specular_stated(value)) return stated;
+    const std::string answer = compact(plain_text(value));
+    const std::string_view word = std::string_view(answer).substr(0, answer.find('.'));
+    const bool asks = contains(plain_text(name), "specular");
+    if (asks && is_one_of(word, in)) return Specular::included;
+    if (asks && is_one_of(word, out)) return Specular::excluded;
+    const auto asked = specular_stated(name);
+    if (!asked || (!is_one_of(word, yes) && !is_one_of(word, no))) return std::nullopt;
+    const bool included = (*asked == Specular::included) == is_one_of(word, yes);
+    return included ? Specular::included : Specular::excluded;
+}
+
+}  // namespace skinfit
