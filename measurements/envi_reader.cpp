@@ -132,7 +132,7 @@ Spectrum common_spectrum(const SpectralCube& cube) {
     return spectrum;
 }
 
-std::vector<Spectrum> read_envi_file(const std::filesystem::path& path, const ReadOptions& options) {
+std::vector<Spectrum> read_envi(const std::filesystem::path& path, const ReadOptions& options) {
     const SpectralCube cube(path, options.unit);
     if (!cube.header().spectral_library) return {mean_of(cube, options)};
     if (options.region.mask || options.region.rectangle) {
@@ -142,10 +142,6 @@ std::vector<Spectrum> read_envi_file(const std::filesystem::path& path, const Re
                           .remedy = "leave the mask and the rectangle out"});
     }
     return library_spectra(cube);
-}
-
-Spectrum read_envi(const std::filesystem::path& path, const ReadOptions& options) {
-    return mean_of(SpectralCube(path, options.unit), options);
 }
 
 }  // namespace skinfit

@@ -165,7 +165,7 @@ SpectrumFile read_spectra(const std::filesystem::path& path, const ReadOptions& 
                           const std::optional<std::string>& reader) {
     if (!is_cube(path, reader)) return parse_spectra(read_spectrum_text(path), path.string(), options, reader);
     SpectrumFile file{
-        .source = path.string(), .format = std::string(envi_reader_name), .spectra = read_envi_file(path, options)};
+        .source = path.string(), .format = std::string(envi_reader_name), .spectra = read_envi(path, options)};
     if (options.column) file.spectra = {choose_spectrum(std::move(file.spectra), file.source, *options.column)};
     return with_printable_words(std::move(file));
 }
