@@ -52,21 +52,23 @@ UnitStatements unit_statements(const DescribedTable& table, std::size_t column, 
     return {.option = options.unit, .comment = table.description.unit, .named = named};
 }
 
-/// The name of the first column that is in percent, by its name or by its values; empty where none is.
+/// The name of the first column whose values show that the table is in percent, where no word states it; empty where
+/// none does.
 std::string column_in_percent(const DescribedTable& table, const ReadOptions& options) {
     std::vector<std::size_t> unstated;
     for (std::size_t c = 0; c < table.plan.columns.size(); ++c) {
         if (table.plan.columns[c].role != ColumnRole::value) continue;
         const UnitStatements stated = unit_statements(table, c, options);
         if (stated.option || stated.comment) return {};
-        if (stated.named == Unit::percent) return table.plan.label(c);
         if (!stated.named) unstated.push_back(c);
     }
     if (unstated.size() < 2) return {};
     const NumberTable numbers = glance_at_numbers(table.columns, unstated);
     ColumnStore store(numbers);
     for (std::size_t i = 0; i < unstated.size(); ++i) {
-        if (shows_percent(store.column(i))) return table.plan.label(unstated[i]);
+        std::vector<double> values = store.column(i);
+        (void)take_out_fill_numbers(values);
+        if (shows_percent(values)) return table.plan.label(unstated[i]);
     }
     return {};
 }
@@ -183,11 +185,11 @@ public:
             if (numbers.holds_words[value_at]) continue;
             if (sigma_at && numbers.holds_words[*sigma_at])
                 (void)read_numbers(table_.columns, std::array{*choice.sigma});
-            const std::vector<double> value = store.column(value_at);
+            std::vector<double> value = store.column(value_at);
+            const std::optional<double> fill = take_out_fill_numbers(value);
             spectra.push_back(read(choice, value, sigma_at ? store.column(*sigma_at) : std::vector<double>{}));
-            if (numbers.fill[value_at]) {
-                spectra.back().remarks.push_back(
-                    fmt::format("readings of {} stand for missing values", *numbers.fill[value_at]));
+            if (fill) {
+                spectra.back().remarks.push_back(fmt::format("readings of {} stand for missing values", *fill));
             }
         }
         if (spectra.empty()) (void)read_numbers(table_.columns, std::array{choices_.front().value});
