@@ -5,8 +5,16 @@
 
 namespace skinfit {
 
+/// What computes a figure.
+enum class FigureKind {
+    extinction,      ///< of the pigments, per cm per (g/L), as the model's tables have it; a series is named as one
+    spectrum,        ///< reflectance or transmittance by the angular solver: without noise
+    goniophotometer  ///< BRDF or BTDF by the analog walk, all wavelengths weighing the same
+};
+
 /// What a figure of the paper claims; each is judged by the function of the same name.
 enum class Claim {
+    falls_with_wavelength,
     darker_in_order,
     w_deepens_in_order,
     close_to_measured,
@@ -21,7 +29,7 @@ enum class Claim {
 struct ClaimInfo {
     Claim claim;
     std::string_view name;
-    bool is_angular;        ///< about the curves of a goniophotometer
+    FigureKind kind;        ///< of the figures that it is about
     bool compares_series;   ///< needs two series at least
     bool needs_measured;    ///< needs a measured spectrum
     std::string_view text;  ///< for tables

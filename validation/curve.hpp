@@ -14,7 +14,7 @@ namespace skinfit {
 struct SpectralCurve {
     std::string name;
     std::vector<double> wavelength_nm;  ///< at least one, ascends strictly
-    std::vector<double> value;          ///< reflectance or transmittance, fractions, one per wavelength
+    std::vector<double> value;  ///< one per wavelength: reflectance or transmittance, fractions, or an extinction
 
     /// Linear between its wavelengths; asserts that `at_nm` lies within them.
     [[nodiscard]] double at(double at_nm) const;

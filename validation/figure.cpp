@@ -72,17 +72,27 @@ Claim read_claim(const Json& json, const FigurePanel& panel, FigureKind kind, co
     const auto refuse_here = [&](const std::string& why, const std::string& remedy) {
         refuse(where, json, why, remedy);
     };
-    if (row.is_angular != (kind == FigureKind::goniophotometer)) {
-        refuse_here(row.is_angular ? "it is about angles" : "it is about spectra", "leave it out of this figure");
+    if (row.kind != kind) {
+        constexpr std::array<std::string_view, 3> about = {"pigments", "spectra", "angles"};
+        refuse_here(fmt::format("it is about {}", about.at(static_cast<std::size_t>(row.kind))),
+                    "leave it out of this figure");
     }
     if (row.compares_series && panel.series.size() < 2) refuse_here("it compares series", "give two series or more");
     if (row.needs_measured && !panel.measured) refuse_here("it needs a measurement", "name a file in \"measured\"");
     return row.claim;
 }
 
+/// The series of a figure of extinctions are the pigments.
+void check_pigment(const Json& series, FigureKind kind, const std::string& where) {
+    if (kind != FigureKind::extinction) return;
+    Names pigments;
+    for (const PigmentRow& row : pigment_table()) pigments.push_back(row.name);
+    (void)read_choice(series["name"], pigments, where + ".name");
+}
+
 FigurePanel read_panel(const Json& json, const Configuration& base, FigureKind kind, const std::string& where) {
     check_keys(json, {"title", "light", "swatches", "configuration", "series", "measured", "claims"},
-               {"title", "series", "claims"}, where);
+               {"title", "series"}, where);
     FigurePanel panel;
     panel.title = read_text(json, "title", where);
     if (json.contains("light")) {
@@ -98,9 +108,11 @@ FigurePanel read_panel(const Json& json, const Configuration& base, FigureKind k
     for (const Json& series : read_list(json, "series", where)) {
         const std::string here = fmt::format("{}.series[{}]", where, panel.series.size());
         check_keys(series, {"name", "configuration"}, {"name"}, here);
+        check_pigment(series, kind, here);
         panel.series.push_back(
             {.name = read_text(series, "name", here), .configuration = changed(panel_base, series, here)});
     }
+    if (!json.contains("claims")) return panel;
     for (const Json& claim : read_list(json, "claims", where)) {
         panel.claims.push_back(
             read_claim(claim, panel, kind, fmt::format("{}.claims[{}]", where, panel.claims.size())));

@@ -11,12 +11,6 @@
 
 namespace skinfit {
 
-/// What computes a figure.
-enum class FigureKind {
-    spectrum,        ///< reflectance or transmittance by the angular solver: without noise
-    goniophotometer  ///< BRDF or BTDF by the analog walk, all wavelengths weighing the same
-};
-
 /// The light a goniophotometer's panel shows.
 enum class FigureLight { reflected, subsurface, transmitted };
 
@@ -39,7 +33,7 @@ struct FigurePanel {
     bool has_swatches = false;                   ///< of a spectrum: rendered colours are shown too
     std::vector<FigureSeries> series;            ///< at least one, in the order the claims speak of
     std::optional<std::string> measured;         ///< a shipped file, or one below `shared/`
-    std::vector<Claim> claims;
+    std::vector<Claim> claims;                   ///< may be none
 };
 
 /// A figure of the paper, as configs/figure_*.json describe it.

@@ -73,8 +73,9 @@ std::string angular_rows(const FigurePanel& panel, const VariantResult& variant)
 std::string figure_csv(const FigureResult& result) {
     const bool is_angular = result.figure.kind == FigureKind::goniophotometer;
     std::string text = comments(result) + "panel,edition,fibril_radius_nm,series,";
-    text += is_angular ? "kind,polar_lo_deg,polar_hi_deg,bsdf_per_sr,bsdf_se\n"
-                       : fmt::format("wavelength_nm,{}\n", quantity_name(result.figure.panels.front()));
+    text += is_angular
+                ? "kind,polar_lo_deg,polar_hi_deg,bsdf_per_sr,bsdf_se\n"
+                : fmt::format("wavelength_nm,{}\n", quantity_name(result.figure.kind, result.figure.panels.front()));
     for (std::size_t p = 0; p < result.panels.size(); ++p) {
         for (const VariantResult& variant : result.panels[p].variants) {
             text += is_angular ? angular_rows(result.figure.panels[p], variant)

@@ -9,6 +9,7 @@
 #include "fit/wavelength_sets.hpp"
 #include "model/spectrophotometer.hpp"
 #include "validation/angular_claims.hpp"
+#include "validation/figure_names.hpp"
 #include "validation/shipped.hpp"
 #include "validation/spectral_claims.hpp"
 
@@ -27,6 +28,16 @@ SpectralCurve spectrum_of(const std::string& name, const Configuration& configur
     SpectralCurve curve{.name = name, .wavelength_nm = wavelengths_nm, .value = {}};
     for (const Reading& reading : read_by_solver(make_experiment(configuration), wavelengths_nm)) {
         curve.value.push_back(is_transmittance ? reading.transmittance : reading.reflectance);
+    }
+    return curve;
+}
+
+SpectralCurve extinction_of(const std::string& pigment, const Configuration& configuration) {
+    const auto row = std::ranges::find(pigment_table(), pigment, &PigmentRow::name);
+    SpectralCurve curve{
+        .name = pigment, .wavelength_nm = parse_wavelengths(configuration.wavelengths, "wavelengths"), .value = {}};
+    for (const double nm : curve.wavelength_nm) {
+        curve.value.push_back(Extinction::at(nm, configuration.edition).*row->extinction);
     }
     return curve;
 }
@@ -77,6 +88,8 @@ ClaimFinding judged(Claim claim, const VariantResult& result, const std::optiona
     std::vector<Lab> colours;
     for (const RenderedColour& colour : result.colours) colours.push_back(colour.lab);
     switch (claim) {
+        case Claim::falls_with_wavelength:
+            return falls_with_wavelength(result.spectra);
         case Claim::darker_in_order:
             return darker_in_order(result.spectra);
         case Claim::w_deepens_in_order:
@@ -106,7 +119,11 @@ bool needs_colours(const FigurePanel& panel) {
 VariantResult run_variant(const FigurePanel& panel, FigureKind kind, const FigureVariant& variant,
                           const std::optional<Spectrum>& measured, const FigureOptions& options) {
     VariantResult result{.variant = variant, .spectra = {}, .colours = {}, .lobes = {}, .findings = {}};
-    if (kind == FigureKind::spectrum) {
+    if (kind == FigureKind::extinction) {
+        for (const FigureSeries& series : panel.series) {
+            result.spectra.push_back(extinction_of(series.name, under(variant, series.configuration)));
+        }
+    } else if (kind == FigureKind::spectrum) {
         result.spectra.resize(panel.series.size());
         tbb::parallel_for(std::size_t{0}, panel.series.size(), [&](std::size_t i) {
             const FigureSeries& series = panel.series[i];

@@ -24,7 +24,7 @@ struct FigureOptions {
 /// A panel under one variant: its curves, and what became of its claims.
 struct VariantResult {
     FigureVariant variant;
-    std::vector<SpectralCurve> spectra;   ///< one per series of a figure of spectra, else none
+    std::vector<SpectralCurve> spectra;   ///< one per series of a figure of spectra or extinctions, else none
     std::vector<RenderedColour> colours;  ///< of the spectra, where the panel or a claim asks for them
     std::vector<AngularCurve> lobes;      ///< one per series of a goniophotometer's figure, else none
     std::vector<ClaimFinding> findings;   ///< one per claim of the panel

@@ -40,7 +40,7 @@ Json figure_schema() {
                                       {"series", list_schema(series)},
                                       {"measured", text_schema("a shipped file, or one below shared/")},
                                       {"claims", list_schema({{"enum", claims}})}},
-                                     {"title", "series", "claims"});
+                                     {"title", "series"});
     const Json& properties = configuration["properties"];
     const Json variants = object_schema(
         {{"edition", list_schema(properties["edition"])},

@@ -76,7 +76,8 @@ SheetPanel sheet_panel(const FigurePanel& panel, const VariantResult& result, co
 }
 
 std::string y_label(const Figure& figure, const FigurePanel& panel) {
-    if (figure.kind == FigureKind::spectrum) return fmt::format("{} (fraction)", quantity_name(panel));
+    if (figure.kind == FigureKind::extinction) return "extinction (per cm per g/L)";
+    if (figure.kind == FigureKind::spectrum) return fmt::format("{} (fraction)", quantity_name(figure.kind, panel));
     switch (panel.light) {
         case FigureLight::transmitted:
             return "BTDF (1/sr)";
@@ -91,7 +92,7 @@ std::string y_label(const Figure& figure, const FigurePanel& panel) {
 SheetRow axes(const Figure& figure, const FigurePanel& panel) {
     SheetRow row{
         .x_label = "wavelength (nm)", .y_label = y_label(figure, panel), .x_low = 0, .x_high = 0, .panels = {}};
-    if (figure.kind == FigureKind::spectrum) {
+    if (figure.kind != FigureKind::goniophotometer) {
         const std::vector<double> wavelengths_nm =
             parse_wavelengths(panel.series.front().configuration.wavelengths, "wavelengths");
         row.x_low = wavelengths_nm.front();

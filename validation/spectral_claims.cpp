@@ -76,6 +76,24 @@ bool has_peak_between_dips(const SpectralCurve& curve) {
 
 }  // namespace
 
+ClaimFinding falls_with_wavelength(std::span<const SpectralCurve> curves) {
+    double smallest = std::numeric_limits<double>::infinity();
+    std::string where;
+    for (const SpectralCurve& curve : curves) {
+        for (std::size_t i = 1; i < curve.value.size(); ++i) {
+            const double drop = (curve.value[i - 1] - curve.value[i]) / curve.value[i - 1];
+            if (drop >= smallest) continue;
+            smallest = drop;
+            where =
+                fmt::format("of {} from {} to {} nm", curve.name, curve.wavelength_nm[i - 1], curve.wavelength_nm[i]);
+        }
+    }
+    return {.verdict = verdict_of(smallest > 0.0),
+            .number = smallest,
+            .measure = "least drop from wavelength to wavelength over the value, > 0",
+            .why = fmt::format("the least drop is that {}", where)};
+}
+
 ClaimFinding darker_in_order(std::span<const SpectralCurve> curves) {
     assert(curves.size() >= 2);
     double smallest = std::numeric_limits<double>::infinity();

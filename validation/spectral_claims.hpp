@@ -10,6 +10,9 @@
 /// Claims about spectra: pure functions of computed curves. Curves that are compared have the same wavelengths.
 namespace skinfit {
 
+/// Every curve, one at least, of two wavelengths or more, is lower at each wavelength than at the one before.
+[[nodiscard]] ClaimFinding falls_with_wavelength(std::span<const SpectralCurve> curves);
+
 /// Every curve, two at least, is below the one before it at every wavelength, and somewhere by more than two errors of
 /// the solver. The reason counts the differences that are within these errors.
 [[nodiscard]] ClaimFinding darker_in_order(std::span<const SpectralCurve> curves);
