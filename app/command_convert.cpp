@@ -69,10 +69,8 @@ void add_convert_command(CLI::App& app, Session& session) {
     one_of(convert->add_option("--format", command->format,
                                "form of the output; if not given, that of the ending of --out, else csv"),
            {"csv", "json"});
-    convert->add_option("--column", command->columns, "only this spectrum: its name, or its number from 1")
-        ->type_name("NAME")
-        ->expected(1)
-        ->take_all();
+    repeated(convert->add_option("--column", command->columns, "only this spectrum: its name, or its number from 1"))
+        ->type_name("NAME");
     convert->add_option("--unit", command->unit, "of the values; found by a rule otherwise")
         ->type_name(choices(unit_names));
     add_reader_option(*convert, command->reader);

@@ -5,7 +5,7 @@
 #include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "core/input_error.hpp"
-#include "core/text.hpp"
+#include "core/nearest_names.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/design.hpp"
 
@@ -25,11 +25,11 @@ Parameter named_parameter(const std::string& name) {
     if (const std::optional<Parameter> found = find_parameter(name)) return *found;
     std::vector<std::string_view> names;
     for (const ParameterInfo& row : parameter_table()) names.push_back(row.name);
-    const std::optional<std::string_view> similar = similar_name(name, names);
+    const std::vector<std::string_view> meant = meant_names(name, names);
     throw InputError({.where = "PARAMETER",
                       .problem = fmt::format("\"{}\" is no parameter", name),
                       .why = "only a parameter of the model can be detected",
-                      .remedy = (similar ? fmt::format("did you mean {}? Else ", *similar) : "") +
+                      .remedy = (meant.empty() ? "" : fmt::format("did you mean {}? Else ", either(meant, "", ""))) +
                                 "choose from those of `skinfit config show`"});
 }
 

@@ -3,10 +3,12 @@
 #include <algorithm>
 
 #include "app/commands.hpp"
+#include "app/fit_inputs.hpp"
 #include "app/measured_file.hpp"
 #include "app/option_limits.hpp"
 #include "app/progress_line.hpp"
 #include "app/region_options.hpp"
+#include "app/separate_fits.hpp"
 #include "app/shared_options.hpp"
 #include "app/terminal.hpp"
 #include "core/file.hpp"
@@ -34,6 +36,7 @@ struct FitCommand {
     std::vector<std::string> free;
     std::vector<std::string> fix;
     std::vector<std::string> own;
+    bool joint = false;
     bool cross_check = false;
     bool strict = false;
     std::string solver;
@@ -53,9 +56,7 @@ Configuration fit_configuration(const FitCommand& command, const Configuration& 
     }
     if (command.columns.size() == 1) configuration.column = command.columns.front();
     if (!command.unit.empty()) configuration = configured_by_word(configuration, "unit", command.unit, "--unit");
-    configuration = with_free_and_fixed(configuration, command.free, command.fix);
-    for (const std::string& names : command.own) configuration = with_own(configuration, names, "--own");
-    return configuration;
+    return with_free_and_fixed(configuration, command.free, command.fix, command.own);
 }
 
 std::vector<std::filesystem::path> inputs(const FitCommand& command) {
@@ -64,33 +65,6 @@ std::vector<std::filesystem::path> inputs(const FitCommand& command) {
         for (const std::filesystem::path& path : files_read(file, command.region)) all.push_back(path);
     }
     return all;
-}
-
-/// One per file and column: columns belong to the one file, or to the files in their order, or the one to all files.
-std::vector<Spectrum> read_all(const FitCommand& command, const Configuration& stated, const Session& session) {
-    const std::size_t files = command.files.size();
-    const std::size_t columns = command.columns.size();
-    if (files > 1 && columns > 1 && files != columns) {
-        throw InputError({.where = "--column",
-                          .problem = fmt::format("{} columns for {} files", columns, files),
-                          .why = "which column belongs to which file is not clear",
-                          .remedy = "give one for each file, or one for all"});
-    }
-    if (std::ranges::count_if(command.files, is_standard_input) > 1) {
-        throw InputError({.where = "FILE",
-                          .problem = "standard input twice",
-                          .why = "it can be read once",
-                          .remedy = "give - once, and name the columns of several spectra by --column"});
-    }
-    MeasuredFiles measured(command.reader, session.quiet);
-    std::vector<Spectrum> spectra;
-    for (std::size_t k = 0; k < std::max(files, columns); ++k) {
-        const std::string& file = command.files[files == 1 ? 0 : k];
-        ReadOptions options{.column = stated.column, .unit = stated.unit, .region = region_from(command.region)};
-        if (columns > 1) options.column = command.columns[k];
-        spectra.push_back(measured.spectrum(file, options));
-    }
-    return spectra;
 }
 
 /// Refuses what cannot be written before the work rather than after it.
@@ -156,10 +130,13 @@ void write_files(const FitCommand& command, const FitResult& result, const Sessi
     }
 }
 
-int run(const FitCommand& command, Session& session) {
-    const Configuration stated = fit_configuration(command, default_configuration());
-    check_outputs(command);
-    const std::vector<Spectrum> spectra = read_all(command, stated, session);
+/// All of them by one specimen.
+int run_joint(const FitCommand& command, const std::vector<FitInput>& inputs, Session& session) {
+    std::vector<Spectrum> spectra;
+    for (const FitInput& input : inputs) {
+        if (input.refusal) throw *input.refusal;
+        spectra.push_back(*input.spectrum);
+    }
     // What the file states holds where the configuration does not state it.
     const Configuration configuration =
         fit_configuration(command, with_file_settings(default_configuration(), spectra));
@@ -176,6 +153,66 @@ int run(const FitCommand& command, Session& session) {
     return result->verdict == Verdict::trustworthy ? trustworthy_result : result_with_warning;
 }
 
+/// What belongs to one fit has no place for several.
+void refuse_files_of_one(const FitCommand& command) {
+    const std::vector<std::pair<std::string, std::filesystem::path>> of_one = {
+        {"--report", command.report}, {"--plot", command.plot}, {"--samples", command.samples}};
+    for (const auto& [option, path] : of_one) {
+        if (path.empty()) continue;
+        throw InputError({.where = fmt::format("{} {}", option, path.string()),
+                          .problem = "cannot hold several fits",
+                          .why = "several spectra are each fitted by itself, and the file would show one of them",
+                          .remedy = "fit one at a time, add --joint where all are of one specimen, or describe them "
+                                    "as a study, whose report holds all (`skinfit help study`)"});
+    }
+}
+
+/// The result of one of several, or why there is none; nothing where Ctrl-C ended it.
+std::optional<SeparateFit> separate_fit(const FitCommand& command, const FitInput& input, Session& session) {
+    SeparateFit fit{.file = input.name, .result = {}, .problem = {}};
+    try {
+        if (input.refusal) throw *input.refusal;
+        const std::vector<Spectrum> one = {*input.spectrum};
+        const Configuration configuration =
+            fit_configuration(command, with_file_settings(default_configuration(), one));
+        const std::vector<Finding> findings = findings_before_fit(configuration, one);
+        if (command.strict) refuse_warnings(findings, one.front().source);
+        fit.result = fitted(command, configuration, one, findings, session);
+        if (!fit.result) return std::nullopt;
+    } catch (const InputError& error) {
+        say_trouble("error", error.what());
+        fit.problem = error.what();
+    }
+    return fit;
+}
+
+/// Each of them by itself: what one cannot do, the others do.
+int run_apart(const FitCommand& command, const std::vector<FitInput>& inputs, Session& session) {
+    refuse_files_of_one(command);
+    const auto limit = thread_limit(command.shared);
+    std::vector<SeparateFit> fits;
+    for (const FitInput& input : inputs) {
+        if (session.interrupt.signal()) break;
+        std::optional<SeparateFit> fit = separate_fit(command, input, session);
+        if (!fit) break;
+        fits.push_back(std::move(*fit));
+    }
+    write_output(command.shared,
+                 command.shared.format == "json" ? json_text(separate_fits_json(fits)) : separate_fits_text(fits));
+    return session.interrupt.signal() ? session.interrupt.exit_code() : exit_code_of(fits);
+}
+
+int run(const FitCommand& command, Session& session) {
+    const Configuration stated = fit_configuration(command, default_configuration());
+    check_outputs(command);
+    MeasuredFiles measured(command.reader, session.quiet);
+    const ReadOptions options{.column = stated.column, .unit = stated.unit, .region = region_from(command.region)};
+    const std::vector<FitInput> inputs =
+        read_inputs({.files = command.files, .columns = command.columns, .options = options}, measured);
+    const bool joint = inputs.size() == 1 || command.joint || !command.own.empty() || state_one_specimen(inputs);
+    return joint ? run_joint(command, inputs, session) : run_apart(command, inputs, session);
+}
+
 }  // namespace
 
 void add_fit_command(CLI::App& app, Session& session) {
@@ -183,14 +220,16 @@ void add_fit_command(CLI::App& app, Session& session) {
     CLI::App* const fit = app.add_subcommand("fit", "explain a measured spectrum by skin biology");
     fit->add_option("FILE", command->files,
                     "spectrum: text of columns or rows, JCAMP-DX, CGATS (.ti3), JSON or ENVI; - is standard input; "
-                    "several are explained together")
+                    "several are each fitted by itself, but for spectra of one specimen: see --joint")
         ->required();
-    fit->add_option("--column", command->columns,
-                    "of a file with several spectra, which has no default: the name of one, or its number from 1; "
-                    "given again, one for each file, or several of one file")
-        ->type_name("NAME")
-        ->expected(1)
-        ->take_all();
+    repeated(fit->add_option("--column", command->columns,
+                             "of a file with several spectra, which has no default: the name of one, or its number "
+                             "from 1; given again, one for each file, or several of one file"))
+        ->type_name("NAME");
+    fit->add_flag(
+        "--joint", command->joint,
+        "explain all FILEs, or columns, by one specimen, as the reflectance and transmittance of one; so they "
+        "are without it where all files state the same specimen, and with --own");
     add_reader_option(*fit, command->reader);
     add_region_options(*fit, command->region);
     fit->add_option("--unit", command->unit, "of the values; found by a rule otherwise")
@@ -200,7 +239,7 @@ void add_fit_command(CLI::App& app, Session& session) {
         "adjust these parameters too, beside those that are free; `skinfit config show` lists all, and which are");
     add_names_option(*fit, "--fix", command->fix, "hold these parameters at their configured value");
     add_names_option(*fit, "--own", command->own,
-                     "adjust these parameters, with a value of its own in each of several spectra");
+                     "adjust these parameters, with a value of its own in each of several spectra of one specimen");
     fit->add_option("--uncertainty", command->uncertainty,
                     "what intervals come from: covariance (quick), profile (right at bounds) or posterior (draws of "
                     "all parameters)" +
@@ -229,9 +268,10 @@ void add_fit_command(CLI::App& app, Session& session) {
          "skinfit fit measurements/data/ncsu_113.csv --set 'discrepancy={}' --report fit.html --plot fit.png",
          "skinfit fit measurements/data/ncsu_113.csv --free scale --fix bilirubin_g_per_l --format json --out fit.json",
          "skinfit fit measurements/data/ncsu_113.csv --set engine=emulator --uncertainty profile",
+         "skinfit fit measurements/data/ncsu_*.csv --set engine=emulator",
          "skinfit simulate --set melanosome_fraction=0.03 | skinfit fit - --column reflectance"},
         "Exit code 0: trustworthy; 1: suspect or failed, as the verdict says; 2: bad input; 3: internal error; 130: "
-        "ended by Ctrl-C.");
+        "ended by Ctrl-C. Of several fits the worst.");
     fit->callback([command, &session] { session.exit_code = run(*command, session); });
 }
 

@@ -8,24 +8,28 @@
 #include <string_view>
 #include <vector>
 
-#include "core/text.hpp"
+#include "core/nearest_names.hpp"
+#include "fit/name_lists.hpp"
+#include "fit/settings.hpp"
 
 namespace skinfit {
 namespace {
 
-/// The command that was being read when `app` gave up, and how it is called.
-struct Place {
-    const CLI::App* command;
-    std::string words;
-};
+/// The command that was being read when `app` gave up.
+const CLI::App& command_read(const CLI::App& app) {
+    const CLI::App* command = &app;
+    while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+    return *command;
+}
 
-Place place_of(const CLI::App& app) {
-    Place place{&app, app.get_name()};
-    while (!place.command->get_subcommands().empty()) {
-        place.command = place.command->get_subcommands().front();
-        place.words += " " + place.command->get_name();
-    }
-    return place;
+/// The words by which a command is called, as in "skinfit study run".
+std::string called(const CLI::App& command) {
+    if (command.get_parent() == nullptr) return command.get_name();
+    return called(*command.get_parent()) + " " + command.get_name();
+}
+
+std::string see_help_of(const CLI::App& command) {
+    return fmt::format("see `{} --help`", called(command));
 }
 
 std::vector<std::string> command_names(const CLI::App& app) {
@@ -44,25 +48,36 @@ std::vector<std::string> option_names(const CLI::App& app) {
     return names;
 }
 
-/// The known name that `name` probably means, as the beginning of a remedy; empty where none is similar.
-std::string suggestion(std::string_view name, const std::vector<std::string>& names, const std::string& form) {
+/// What `name` probably means, as the beginning of a remedy; empty where nothing is near. `before` is what is to be
+/// written before it.
+std::string suggestion(std::string_view name, const std::vector<std::string>& names, const std::string& before = "") {
     const std::vector<std::string_view> known(names.begin(), names.end());
-    const std::optional<std::string_view> similar = similar_name(name, known);
-    return similar ? fmt::format(fmt::runtime(form), *similar) : "";
+    const std::vector<std::string_view> meant = meant_names(name, known);
+    return meant.empty() ? "" : fmt::format("did you mean {}? Else ", either(meant, before, before.empty() ? "" : "`"));
+}
+
+/// The same for an option; it may be a setting or a parameter, which --set changes where the command has it.
+std::string option_suggestion(const CLI::App& command, const std::string& option) {
+    if (const std::string slip = suggestion(option, option_names(command)); !slip.empty()) return slip;
+    if (command.get_option_no_throw("--set") == nullptr) return "";
+    std::vector<std::string_view> known = parameter_names();
+    for (const Setting& setting : setting_table()) known.push_back(setting.name);
+    const std::vector<std::string_view> meant = meant_names(spelt(option), known);
+    return meant.empty() ? "" : fmt::format("did you mean {}? Else ", either(meant, "--set ", "=..."));
 }
 
 /// What is wrong although all words are known. CLI11 begins its own message with the name of the option.
-Complaint misused(const Place& place, const CLI::ParseError& error) {
+Complaint misused(const CLI::App& command, const CLI::ParseError& error) {
     const std::string text = error.what();
     constexpr std::string_view not_a_flag = "Could not convert: ";  // a value given to an option that takes none
     const bool has_value = text.starts_with(not_a_flag);
     const std::string named = has_value ? text.substr(not_a_flag.size()) : text;
     const std::string option = named.substr(0, named.find_first_of(": "));
-    const std::string see = fmt::format("see `{} --help`", place.words);
+    const std::string see = see_help_of(command);
     if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
         return {.where = "command line",
                 .problem = fmt::format("{} is missing", option),
-                .why = fmt::format("`{}` needs it", place.words),
+                .why = fmt::format("`{}` needs it", called(command)),
                 .remedy = fmt::format("give it, or {}", see)};
     }
     if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) {
@@ -90,46 +105,49 @@ Complaint misused(const Place& place, const CLI::ParseError& error) {
             .remedy = see};
 }
 
-Complaint unknown_word(const Place& place, const std::string& word) {
-    const std::string see = fmt::format("see `{} --help`", place.words);
-    const std::vector<std::string> commands = command_names(*place.command);
+}  // namespace
+
+Complaint unknown_word(const CLI::App& command, const std::string& word) {
+    const std::string see = see_help_of(command);
+    const std::vector<std::string> commands = command_names(command);
     if (word.starts_with('-')) {
         const std::string option = word.substr(0, word.find('='));
         return {.where = "command line",
                 .problem = fmt::format("unknown option {}", option),
-                .why = fmt::format("`{}` does not have it", place.words),
-                .remedy = suggestion(option, option_names(*place.command), "did you mean {}? Else ") + see};
+                .why = fmt::format("`{}` does not have it", called(command)),
+                .remedy = option_suggestion(command, option) + see};
     }
     if (!commands.empty()) {
         return {.where = "command line",
                 .problem = fmt::format("unknown command \"{}\"", word),
                 .why = fmt::format("it is none of {}", fmt::join(commands, ", ")),
-                .remedy = suggestion(word, commands, "did you mean `" + place.words + " {}`? Else ") + see};
+                .remedy = suggestion(word, commands, "`" + called(command) + " ") + see};
     }
     return {.where = "command line",
             .problem = fmt::format("\"{}\" is one word too many", word),
-            .why = fmt::format("`{}` has no place for it", place.words),
+            .why = fmt::format("`{}` has no place for it", called(command)),
             .remedy = fmt::format("leave it out, quote names with blanks, or {}", see)};
 }
 
-}  // namespace
-
 Complaint command_line_complaint(const CLI::App& app, const CLI::ParseError& error) {
-    const Place place = place_of(app);
+    const CLI::App& command = command_read(app);
     const std::vector<std::string> unknown = app.remaining(true);
     if (!unknown.empty()) {
         const auto option =
             std::ranges::find_if(unknown, [](const std::string& word) { return word.starts_with('-'); });
-        return unknown_word(place, option != unknown.end() ? *option : unknown.front());
+        return unknown_word(command, option != unknown.end() ? *option : unknown.front());
     }
-    const std::vector<std::string> commands = command_names(*place.command);
-    if (!commands.empty()) {
-        return {.where = "command line",
-                .problem = "the command is missing",
-                .why = fmt::format("`{}` alone does nothing", place.words),
-                .remedy = fmt::format("give one of {}, or see `{} --help`", fmt::join(commands, ", "), place.words)};
-    }
-    return misused(place, error);
+    return misused(command, error);
+}
+
+std::optional<std::string> help_of_unfinished(const CLI::App& app) {
+    const CLI::App& command = command_read(app);
+    if (command_names(command).empty() || !app.remaining(true).empty()) return std::nullopt;
+    return help_of(command);
+}
+
+std::string help_of(const CLI::App& command) {
+    return command.help(command.get_parent() == nullptr ? "" : called(*command.get_parent()));
 }
 
 }  // namespace skinfit

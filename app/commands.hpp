@@ -31,6 +31,7 @@ void add_bench_command(CLI::App& app, Session& session);
 void add_convert_command(CLI::App& app, Session& session);
 void add_config_command(CLI::App& app, Session& session);
 void add_completion_command(CLI::App& app, Session& session);
+void add_help_command(CLI::App& app, Session& session);
 void add_manual_command(CLI::App& app, Session& session);
 
 }  // namespace skinfit

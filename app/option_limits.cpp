@@ -66,6 +66,11 @@ CLI::Option* one_of(CLI::Option* option, const std::vector<std::string_view>& wo
         option, [words](const std::string& text, const std::string& where) { (void)read_choice(text, words, where); });
 }
 
+CLI::Option* repeated(CLI::Option* option) {
+    // CLI11 takes a list for one that goes on until the next option.
+    return option->expected(1)->take_all()->allow_extra_args(false);
+}
+
 std::string limits_of(const CLI::Option& option) {
     return option.get_option_text();  // of no other use: CLI11's own form of the help would print it
 }

@@ -22,6 +22,9 @@ CLI::Option* number(CLI::Option* option, double lowest, double highest, const st
 /// The value is one of `words`, which outlive the option.
 CLI::Option* one_of(CLI::Option* option, const std::vector<std::string_view>& words);
 
+/// The option takes one value and may be given again; what follows the value is not its own. The field is a list.
+CLI::Option* repeated(CLI::Option* option);
+
 /// What `whole_number` and `number` allow, as in "1 to 1024"; else empty.
 [[nodiscard]] std::string limits_of(const CLI::Option& option);
 

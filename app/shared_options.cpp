@@ -46,15 +46,13 @@ void add_shared_options(CLI::App& command, SharedOptions& options, const std::ve
 void add_configuration_options(CLI::App& command, SharedOptions& options, const std::string& example) {
     command.add_option("--config", options.config, "JSON file of settings; see `skinfit config show`")
         ->type_name("FILE");
-    command.add_option("--set", options.set, "change one setting or parameter, as in " + example)
-        ->type_name("KEY=VALUE")
-        ->expected(1)
-        ->take_all();
+    repeated(command.add_option("--set", options.set, "change one setting or parameter, as in " + example))
+        ->type_name("KEY=VALUE");
 }
 
 void add_names_option(CLI::App& command, const std::string& option, std::vector<std::string>& names,
                       const std::string& meaning) {
-    command.add_option(option, names, meaning)->type_name("NAME,NAME")->expected(1)->take_all();
+    repeated(command.add_option(option, names, meaning))->type_name("NAME,NAME");
 }
 
 CLI::Option* add_format_option(CLI::App& command, std::string& format, const std::vector<std::string_view>& formats,
@@ -114,20 +112,21 @@ Configuration configuration_from(const SharedOptions& options, const Configurati
 }
 
 Configuration with_free_and_fixed(const Configuration& configuration, const std::vector<std::string>& free,
-                                  const std::vector<std::string>& fix) {
-    Configuration freed = configuration;
-    Configuration changed = configuration;
-    freed.free.fill(false);
-    for (const std::string& names : free) {
-        freed = with_freedom(freed, names, true, "--free");
-        changed = with_freedom(changed, names, true, "--free");
-    }
+                                  const std::vector<std::string>& fix, const std::vector<std::string>& own) {
+    Configuration nothing = configuration;
+    nothing.free.fill(false);
+    const auto with_freed = [&](Configuration changed) {
+        for (const std::string& names : free) changed = with_freedom(changed, names, true, "--free");
+        for (const std::string& names : own) changed = with_own(changed, names, "--own");
+        return changed;
+    };
+    const Configuration named = with_freed(nothing);
+    Configuration changed = with_freed(configuration);
     for (const std::string& names : fix) {
-        const Configuration unfreed = with_freedom(freed, names, false, "--fix");
         changed = with_freedom(changed, names, false, "--fix");
-        if (unfreed.free == freed.free) continue;
+        if (with_freedom(named, names, false, "--fix").free == named.free) continue;
         throw InputError({.where = fmt::format("--fix {}", names),
-                          .problem = "names a parameter of --free",
+                          .problem = fmt::format("names a parameter of {}", own.empty() ? "--free" : "--free or --own"),
                           .why = "it cannot be adjusted and held at once",
                           .remedy = "leave it out of one of the two"});
     }

@@ -67,11 +67,12 @@ void add_reader_option(CLI::App& command, std::string& reader);
 [[nodiscard]] Configuration configuration_from(const SharedOptions& options,
                                                const Configuration& defaults = default_configuration());
 
-/// `configuration` with the parameters of --free adjusted and those of --fix held. Throws InputError for one named in
-/// both.
+/// `configuration` with the parameters of --free and --own adjusted, those of --own in each of several spectra, and
+/// those of --fix held. Throws InputError for one named in --fix and another.
 [[nodiscard]] Configuration with_free_and_fixed(const Configuration& configuration,
                                                 const std::vector<std::string>& free,
-                                                const std::vector<std::string>& fix);
+                                                const std::vector<std::string>& fix,
+                                                const std::vector<std::string>& own = {});
 
 /// The exit codes of a command that has no doubtful results.
 inline constexpr const char* exit_codes = "Exit code 0: done; 2: bad input; 3: internal error.";

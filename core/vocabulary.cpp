@@ -1,5 +1,6 @@
 #include "core/vocabulary.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "core/embedded_file.hpp"
@@ -12,9 +13,14 @@ std::span<const EmbeddedFile> embedded_files();
 
 namespace {
 
-std::vector<Word> words_in(std::string_view text) {
+std::string_view text_of(std::string_view file) {
+    const auto files = core_data::embedded_files();
+    return std::ranges::find(files, file, &EmbeddedFile::name)->text;
+}
+
+std::vector<Word> words_in(std::string_view file) {
     std::vector<Word> words;
-    for (const std::string_view line : split_lines(text)) {
+    for (const std::string_view line : split_lines(text_of(file))) {
         if (line.starts_with('#') || line == "name,unit,meaning") continue;
         const std::size_t unit = line.find(',') + 1;
         const std::size_t meaning = line.find(',', unit) + 1;
@@ -28,7 +34,12 @@ std::vector<Word> words_in(std::string_view text) {
 }  // namespace
 
 std::span<const Word> vocabulary() {
-    static const std::vector<Word> words = words_in(core_data::embedded_files().front().text);
+    static const std::vector<Word> words = words_in("vocabulary.csv");
+    return words;
+}
+
+std::span<const Word> labels() {
+    static const std::vector<Word> words = words_in("labels.csv");
     return words;
 }
 

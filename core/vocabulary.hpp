@@ -16,4 +16,8 @@ struct Word {
 /// core/data/vocabulary.csv.
 [[nodiscard]] std::span<const Word> vocabulary();
 
+/// What reports and messages print in capitals or as a label and is none of those: the rows of core/data/labels.csv, in
+/// lower case, in ascending order.
+[[nodiscard]] std::span<const Word> labels();
+
 }  // namespace skinfit

@@ -20,7 +20,7 @@ std::string origin_in_words(const FitOrder& order) {
         "skinfit explore, to which a page sent {} of {}. A command repeats it: skinfit fit {} --config result.json, "
         "where result.json is the block below and FILE {}",
         is_one ? "a spectrum" : fmt::format("{} spectra", order.spectra.size()), order.source,
-        is_one ? "FILE" : "FILE...",
+        is_one ? "FILE" : "--joint FILE...",
         is_one ? "that file; --column picks the spectrum where it holds several"
                : "each of the files; --column picks the spectra where one holds several");
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/input_error.hpp"
 #include "fit/wavelength_sets.hpp"
 #include "model/chromophores.hpp"
@@ -25,9 +27,33 @@ void check_range(double first_nm, double last_nm, const std::string& where) {
          .remedy = "choose wavelengths inside that range"});
 }
 
+std::string free_names(const Configuration& configuration) {
+    std::string names;
+    for (const Parameter parameter : free_parameters(configuration)) {
+        names += (names.empty() ? "" : ", ") + std::string(info(parameter).name);
+    }
+    return names;
+}
+
 }  // namespace
 
+void check_freedom(const Configuration& configuration, const std::string& where) {
+    const std::vector<Parameter> free = free_parameters(configuration);
+    const bool skin_is_free =
+        std::ranges::any_of(free, [](Parameter parameter) { return !belongs_to_instrument(parameter); });
+    if (skin_is_free) return;
+    const std::string names = free_names(configuration);
+    throw InputError(
+        {.where = where,
+         .problem = names.empty() ? "no parameter is free" : fmt::format("frees only {}, nothing of the skin", names),
+         .why = "the skin would stay as it is configured, whatever was measured",
+         .remedy = "free parameters of the skin too, as --free melanosome_fraction does; in a file a list "
+                   "of names replaces the default, and \"free\": [\"+scale\"] adds to it"});
+}
+
 void check_configuration(const Configuration& configuration, const std::string& where) {
+    // One that frees nothing may be meant for simulations alone.
+    if (!free_parameters(configuration).empty()) check_freedom(configuration, where + ": free");
     for (const Parameter parameter : free_parameters(configuration)) {
         const double start = value_of(configuration.values, parameter);
         const Bounds& bounds = configuration.bounds[static_cast<std::size_t>(parameter)];

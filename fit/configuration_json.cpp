@@ -7,11 +7,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <set>
 
 #include "core/input_error.hpp"
 #include "core/text.hpp"
 #include "fit/json_reading.hpp"
+#include "fit/name_lists.hpp"
 
 namespace skinfit {
 namespace {
@@ -27,12 +27,6 @@ bool is_setting(std::string_view key) {
     return std::ranges::find(setting_table(), key, &Setting::name) != setting_table().end();
 }
 
-std::vector<std::string_view> parameter_names() {
-    std::vector<std::string_view> names;
-    for (const ParameterInfo& info : parameter_table()) names.push_back(info.name);
-    return names;
-}
-
 double read_value(const Json& value, const ParameterInfo& info, const std::string& where) {
     const bool good = value.is_number() && value.get<double>() >= info.lowest && value.get<double>() <= info.highest;
     if (good) return value.get<double>();
@@ -41,15 +35,6 @@ double read_value(const Json& value, const ParameterInfo& info, const std::strin
                       .why = value.is_number() ? "out of range" : "a number is needed",
                       .remedy = fmt::format("give a number from {} to {}{}{}", info.lowest, info.highest,
                                             info.unit.empty() ? "" : " ", info.unit)});
-}
-
-/// Sets the marks of the parameters in `names`, a list with commas.
-void mark(std::array<bool, parameter_count>& marks, std::string_view names, bool value, const std::string& where) {
-    for (const std::string_view name : split(names, ',')) {
-        const std::optional<Parameter> parameter = find_parameter(name);
-        if (!parameter) refuse_unknown(where, name, parameter_names());
-        marks[static_cast<std::size_t>(*parameter)] = value;
-    }
 }
 
 void read_parameter(Configuration& configuration, const ParameterInfo& info, const Json& json,
@@ -94,28 +79,6 @@ void read_parameters(Configuration& configuration, const Json& json, const std::
     }
 }
 
-/// Marks the parameters listed, and no others.
-void read_names(std::array<bool, parameter_count>& marks, const Json& json, const std::string& where) {
-    const bool is_list =
-        json.is_array() && std::ranges::all_of(json, [](const Json& name) { return name.is_string(); });
-    if (!is_list) {
-        throw InputError({.where = where,
-                          .problem = fmt::format("{} is no list of names", shown(json)),
-                          .why = "names of parameters are needed here",
-                          .remedy = "give names as in [\"melanosome_fraction\"]"});
-    }
-    marks.fill(false);
-    for (const Json& name : json) mark(marks, name.get<std::string>(), true, where);
-}
-
-Json names_json(const std::array<bool, parameter_count>& marks) {
-    Json names = Json::array();
-    for (const ParameterInfo& info : parameter_table()) {
-        if (marks[static_cast<std::size_t>(info.parameter)]) names.push_back(info.name);
-    }
-    return names;
-}
-
 /// The value of "key=value": JSON where it reads as a number, null, a list or an object, else a number or a word.
 Json assigned_value(std::string_view text, const std::string& where) {
     Json json = Json::parse(text, nullptr, false);
@@ -136,13 +99,13 @@ Json assigned_value(std::string_view text, const std::string& where) {
 }  // namespace
 
 Configuration with_freedom(Configuration configuration, std::string_view names, bool free, const std::string& where) {
-    mark(configuration.free, names, free, where);
+    mark_parameters(configuration.free, names, free, where);
     return configuration;
 }
 
 Configuration with_own(Configuration configuration, std::string_view names, const std::string& where) {
-    mark(configuration.own, names, true, where);
-    mark(configuration.free, names, true, where);
+    mark_parameters(configuration.own, names, true, where);
+    mark_parameters(configuration.free, names, true, where);
     return configuration;
 }
 
@@ -159,9 +122,9 @@ Configuration configured(Configuration configuration, const Json& json, const st
         if (setting != setting_table().end()) {
             setting->read(configuration, value, here);
         } else if (key == "free") {
-            read_names(configuration.free, value, here);
+            read_parameters_list(configuration.free, value, here);
         } else if (key == "own") {
-            read_names(configuration.own, value, here);
+            read_parameters_list(configuration.own, value, here);
         } else if (key == "parameters") {
             read_parameters(configuration, value, here);
         } else if (find_parameter(key)) {
@@ -185,12 +148,19 @@ Configuration configured_by_word(Configuration configuration, std::string_view k
         return configuration;
     }
     if (key == "free" || key == "own") {
-        refuse_misplaced(where, "a list", "name parameters with --free NAME,NAME, --fix NAME,NAME and --own NAME,NAME");
+        Json names = value;  // as JSON, or as NAME,NAME
+        if (value.is_string()) {
+            names = Json::array();
+            for (const std::string_view name : split(text, ',')) names.push_back(name);
+        }
+        read_parameters_list(key == "free" ? configuration.free : configuration.own, names, where);
+        return configuration;
     }
     const auto setting = std::ranges::find(setting_table(), key, &Setting::name);
     if (setting == setting_table().end()) {
         std::vector<std::string_view> known = parameter_names();
         for (const Setting& each : setting_table()) known.push_back(each.name);
+        known.insert(known.end(), {"free", "own"});
         refuse_unknown(where, key, known);
     }
     setting->read(configuration, value, where);
@@ -212,8 +182,8 @@ Configuration configured_by_assignment(const Configuration& configuration, std::
 Json to_json(const Configuration& configuration) {
     Json json;
     for (const Setting& setting : setting_table()) json[std::string(setting.name)] = setting.write(configuration);
-    json["free"] = names_json(configuration.free);
-    json["own"] = names_json(configuration.own);
+    json["free"] = parameters_list_json(configuration.free);
+    json["own"] = parameters_list_json(configuration.own);
     for (const ParameterInfo& info : parameter_table()) {
         const Bounds& bounds = configuration.bounds[static_cast<std::size_t>(info.parameter)];
         json["parameters"][std::string(info.name)] = {{"value", value_of(configuration.values, info.parameter)},
@@ -230,15 +200,9 @@ Json configuration_schema() {
         property["description"] = setting.meaning;
         properties[std::string(setting.name)] = property;
     }
-    properties["free"] = {{"type", "array"},
-                          {"description", "the parameters a fit adjusts"},
-                          {"items", {{"enum", parameter_names()}}},
-                          {"uniqueItems", true}};
-    properties["own"] = {
-        {"type", "array"},
-        {"description", "of the free parameters those that have a value of their own in each of several spectra"},
-        {"items", {{"enum", parameter_names()}}},
-        {"uniqueItems", true}};
+    properties["free"] = parameters_list_schema("the parameters a fit adjusts");
+    properties["own"] = parameters_list_schema(
+        "of the free parameters those that have a value of their own in each of several spectra");
     Json parameters;
     for (const ParameterInfo& info : parameter_table()) {
         const Json number = {{"type", "number"}, {"minimum", info.lowest}, {"maximum", info.highest}};

@@ -8,17 +8,17 @@
 
 namespace skinfit {
 
-/// Changes `configuration` by what `json` states: settings by their names, `free` (a list of parameters) and
-/// `parameters` (each a number, or an object of value, lower, upper). The JSON of a fit is good too: its
-/// "configuration" is taken. Throws InputError for anything unknown, naming the closest known key, and for values out
-/// of range; `where` names the source in messages.
+/// Changes `configuration` by what `json` states: settings by their names, `free` and `own` (lists of parameters, see
+/// `read_parameters_list`) and `parameters` (each a number, or an object of value, lower, upper). The JSON of a fit is
+/// good too: its "configuration" is taken. Throws InputError for anything unknown, naming the closest known key, and
+/// for values out of range; `where` names the source in messages.
 [[nodiscard]] Configuration configured(Configuration configuration, const Json& json, const std::string& where);
 
 /// The same from text; comments are allowed.
 [[nodiscard]] Configuration configured_by_text(const Configuration& configuration, std::string_view text,
                                                const std::string& where);
 
-/// Changes the setting or parameter `key` to what `text` says; `where` names the option in messages.
+/// Changes the setting, list or parameter `key` to what `text` says; `where` names the option in messages.
 [[nodiscard]] Configuration configured_by_word(Configuration configuration, std::string_view key, std::string_view text,
                                                const std::string& where);
 

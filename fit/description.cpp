@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/input_error.hpp"
-#include "core/text.hpp"
+#include "core/nearest_names.hpp"
 #include "core/vocabulary.hpp"
 #include "fit/physiological_priors.hpp"
 #include "fit/settings.hpp"
@@ -59,32 +59,52 @@ std::vector<std::string_view> all_names() {
     for (const ParameterInfo& info : parameter_table()) names.push_back(info.name);
     for (const Setting& setting : setting_table()) names.push_back(setting.name);
     for (const Word& word : vocabulary()) names.push_back(word.name);
+    for (const Word& label : labels()) names.push_back(label.name);
     return names;
 }
 
-/// A question for the first that holds `name` as a part, else for the most similar one; none where all are too
-/// different.
-std::string did_you_mean(std::string_view name) {
-    const std::vector<std::string_view> names = all_names();
-    const auto holding =
-        std::ranges::find_if(names, [&](std::string_view each) { return each.find(name) != std::string_view::npos; });
-    const auto meant = holding != names.end() ? std::optional(*holding) : similar_name(name, names);
-    return meant ? fmt::format("did you mean \"{}\"? ", *meant) : "";
+std::string label_description(const Word& label) {
+    std::string text = fmt::format("{}: label of reports\n  {}\n", label.name, label.meaning);
+    if (!label.unit.empty()) text += row("unit", label.unit);
+    return text;
+}
+
+const Word* word_called(std::span<const Word> words, std::string_view name) {
+    const auto found = std::ranges::find(words, name, &Word::name);
+    return found == words.end() ? nullptr : &*found;
+}
+
+/// What the name stands for as the program spells it; empty where it is none.
+std::string known_description(const std::string& name) {
+    if (const std::optional<Parameter> parameter = find_parameter(name)) return parameter_description(info(*parameter));
+    const auto setting = std::ranges::find(setting_table(), name, &Setting::name);
+    if (setting != setting_table().end()) return setting_description(*setting);
+    const Word* const word = word_called(vocabulary(), name);
+    return word == nullptr ? "" : word_description(*word);
 }
 
 }  // namespace
 
-std::string description(std::string_view asked) {
+std::optional<std::string> description_of(std::string_view asked) {
     const std::string name = lower_case(asked);  // reports write some words in capitals
-    if (const std::optional<Parameter> parameter = find_parameter(name)) return parameter_description(info(*parameter));
-    const auto setting = std::ranges::find(setting_table(), name, &Setting::name);
-    if (setting != setting_table().end()) return setting_description(*setting);
-    const auto word = std::ranges::find(vocabulary(), name, &Word::name);
-    if (word != vocabulary().end()) return word_description(*word);
+    if (const Word* const label = word_called(labels(), name)) return label_description(*label);
+    std::string text = known_description(spelt(asked));
+    const std::span<const std::string_view> meant = everyday_names(asked);
+    if (meant.empty()) return text.empty() ? std::nullopt : std::optional(text);
+    text += fmt::format("{}: everyday word for {}\n", asked, either(meant, "", ""));
+    for (const std::string_view each : meant) text += known_description(std::string(each));
+    return text;
+}
+
+std::string description(std::string_view asked) {
+    if (std::optional<std::string> text = description_of(asked)) return *std::move(text);
+    const std::vector<std::string_view> names = all_names();
+    const std::vector<std::string_view> meant = meant_names(lower_case(asked), names);
+    const std::string did_you_mean = meant.empty() ? "" : fmt::format("did you mean {}? ", either(meant));
     throw InputError({.where = "describe",
                       .problem = fmt::format("unknown name \"{}\"", asked),
-                      .why = "neither a parameter, nor a setting, nor a word of the outputs",
-                      .remedy = did_you_mean(name) + "`skinfit describe` lists parameters and settings"});
+                      .why = "neither a parameter, nor a setting, nor a word or label of the outputs",
+                      .remedy = did_you_mean + "`skinfit describe` lists parameters and settings"});
 }
 
 std::string descriptions() {

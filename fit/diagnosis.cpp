@@ -94,10 +94,14 @@ void judge_parameters(const FitResult& result, std::vector<std::string>& reasons
         const std::string& name = fitted.name;
         const Status status = fitted.uncertainty.status;
         if (status == Status::at_lower_bound || status == Status::at_upper_bound) {
+            const bool at_lower = status == Status::at_lower_bound;
+            const ParameterInfo& row = info(fitted.parameter);
+            // No configuration can widen a bound that is the parameter's limit.
+            const bool is_limit = at_lower ? fitted.bounds.lower <= row.lowest : fitted.bounds.upper >= row.highest;
             reasons.push_back(fmt::format(
-                "AT BOUND: {} ended at its {} bound {:.6g}, and the other values depend on that; widen the bound if it "
-                "is not physiological, or fix the parameter",
-                name, status == Status::at_lower_bound ? "lower" : "upper", fitted.value));
+                "AT BOUND: {} ended at its {} bound {:.6g}{}, and the other values depend on that; {}fix the parameter",
+                name, at_lower ? "lower" : "upper", fitted.value, is_limit ? ", beyond which there is none" : "",
+                is_limit ? "" : "widen the bound if it is not physiological, or "));
         } else if (status == Status::not_identifiable) {
             reasons.push_back(fmt::format(
                 "NOT IDENTIFIABLE: around its fitted value the spectrum says less about {} than its bounds do; fix it, "
@@ -112,7 +116,7 @@ void judge_model_error(const FitResult& result, std::vector<std::string>& reason
     if (result.monte_carlo_error > most) {
         reasons.push_back(
             fmt::format("TOO FEW RAYS: the model's own error of {:.5f} exceeds half the noise of {:.5f}; set rays to "
-                        "at least {:.0f}",
+                        "at least {:.0f}, or engine=solver, which has no random error",
                         result.monte_carlo_error, result.median_sigma,
                         static_cast<double>(result.configuration.rays) * (result.monte_carlo_error / most) *
                             (result.monte_carlo_error / most)));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fit/configuration_check.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/diagnosis.hpp"
 #include "fit/inference.hpp"
@@ -138,6 +139,7 @@ std::vector<FittedParameter> fixed_rows(const Configuration& configuration) {
 
 FitResult fit_spectra(const Configuration& configuration, std::span<const Spectrum> spectra,
                       const FitOptions& options) {
+    check_freedom(configuration, "free");
     const FitProblem problem = make_problem(configuration, spectra);
     const FitWatch& watch = options.watch;
     watch.tell({.stage = "preparing the model", .done = 0, .total = 1});

@@ -3,23 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "core/input_error.hpp"
-#include "core/text.hpp"
+#include "core/nearest_names.hpp"
 
 namespace skinfit {
 namespace {
 
-/// What to do about an unknown `key`: the known one of which it is a part or a misspelling, or all of a few, else an
-/// example.
+/// What to do about an unknown `key`: those that it probably means, or all of a few, else an example.
 std::string remedy_for(std::string_view key, const std::vector<std::string_view>& known, const std::string& example) {
     constexpr std::size_t few = 4;
-    constexpr std::size_t telling = 3;  // characters
-    const auto longer =
-        std::ranges::find_if(known, [key](std::string_view name) { return name.find(key) != std::string_view::npos; });
-    if (longer != known.end() && key.size() >= telling) return fmt::format("did you mean \"{}\"?", *longer);
-    if (const auto similar = similar_name(key, known)) return fmt::format("did you mean \"{}\"?", *similar);
+    const std::vector<std::string_view> meant = meant_names(key, known);
+    if (!meant.empty()) return fmt::format("did you mean {}?", either(meant));
     if (known.size() <= few) return fmt::format("give one of {}", fmt::join(known, ", "));
     return example;
 }

@@ -18,18 +18,18 @@ std::string key(const FreeParameter& free) {
 
 void check_free(const FreeParameter& free, const Configuration& configuration) {
     const ParameterInfo& row = info(free.parameter);
+    if (free.parameter == Parameter::fold_aspect_ratio) {
+        throw InputError({.where = key(free),
+                          .problem = "has no effect",
+                          .why = "folds turn the surface reflection without making it more or less",
+                          .remedy = fmt::format("fix it (--fix {})", row.name)});
+    }
     if (configuration.engine == Engine::emulator) refuse_to_emulate(free.parameter);
     if (row.steers && configuration.engine == Engine::paths) {
         throw InputError({.where = key(free),
                           .problem = "cannot be adjusted by engine paths",
                           .why = "it changes where light goes, so every recorded path would have to be traced again",
                           .remedy = fmt::format("set engine=solver, or fix it (--fix {})", row.name)});
-    }
-    if (free.parameter == Parameter::fold_aspect_ratio) {
-        throw InputError({.where = key(free),
-                          .problem = "has no effect",
-                          .why = "folds turn the surface reflection without making it more or less",
-                          .remedy = fmt::format("fix it (--fix {})", row.name)});
     }
     if (!(free.start >= free.bounds.lower && free.start <= free.bounds.upper)) {
         throw InputError({.where = key(free),
@@ -186,7 +186,7 @@ FitProblem make_problem(const Configuration& configuration, std::span<const Spec
         throw InputError({.where = "engine",
                           .problem = "walk cannot be fitted",
                           .why = "its result moves in steps of one ray",
-                          .remedy = "set engine=paths, engine=solver or engine=emulator"});
+                          .remedy = "set engine=solver, which fits whatever can be fitted"});
     }
     FitProblem problem{.measurements = {},
                        .free = {},

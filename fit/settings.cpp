@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/input_error.hpp"
+#include "core/nearest_names.hpp"
 #include "core/text.hpp"
 #include "fit/instrument_settings.hpp"
 #include "fit/problem_settings.hpp"
@@ -258,9 +259,9 @@ std::size_t read_choice(const Json& value, std::span<const std::string_view> nam
     const std::string text = value.is_string() ? value.get<std::string>() : shown(value);
     const auto found = std::ranges::find(names, text);
     if (found == names.end()) {
-        const std::optional<std::string_view> similar = similar_name(text, names);
+        const std::vector<std::string_view> meant = meant_names(text, names);
         refuse(where, value, fmt::format("one of {} is needed", fmt::join(names, ", ")),
-               similar ? fmt::format("did you mean {}?", *similar) : "give one of these");
+               meant.empty() ? "give one of these" : fmt::format("did you mean {}?", either(meant, "", "")));
     }
     return static_cast<std::size_t>(found - names.begin());
 }

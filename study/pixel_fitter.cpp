@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "core/input_error.hpp"
+#include "fit/configuration_check.hpp"
 #include "fit/diagnosis.hpp"
 #include "fit/inspection.hpp"
 #include "fit/models.hpp"
@@ -34,6 +35,7 @@ FitProblem problem_of(const Configuration& configuration, Spectrum common) {
     // Stands for what is measured until there is a pixel; a constant is refused.
     common.value.clear();
     for (std::size_t i = 0; i < common.wavelength_nm.size(); ++i) common.value.push_back(i % 2 == 0 ? 0.25 : 0.5);
+    check_freedom(configuration, "free");
     return make_problem(configuration, common);
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/input_error.hpp"
+#include "fit/configuration_check.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/json_reading.hpp"
 #include "fit/measurement.hpp"
@@ -74,10 +75,11 @@ Json assessments(const Cohort& cohort) {
 void check_study(const Cohort& cohort, const std::string& where) {
     require_names(cohort.study, {"fit", "group_by", "indicators", "assess"},
                   {{}, "", "leave out what is not to be replaced"}, where);
+    Configuration fit = planned_fit(cohort);
+    if (cohort.study.contains("fit")) fit = configured(fit, cohort.study["fit"], where + ".fit");
+    check_freedom(fit, where + ".fit.free");
     for (const auto& [key, value] : cohort.study.items()) {
-        if (key == "fit") {
-            (void)configured(planned_fit(cohort), value, where + ".fit");
-        } else if (!value.is_array()) {
+        if (key != "fit" && !value.is_array()) {
             refuse(fmt::format("{}.{}", where, key), value, "a list is needed",
                    "write it as in a study file; see docs/studies.md");
         }

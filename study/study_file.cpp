@@ -6,6 +6,7 @@
 
 #include "core/file.hpp"
 #include "core/input_error.hpp"
+#include "fit/configuration_check.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/json_reading.hpp"
 #include "fit/named_instrument.hpp"
@@ -120,7 +121,8 @@ Study parse_study(std::string_view text, const std::filesystem::path& path, cons
     check_map_names(study.cubes, where);
     study.fit = read_settings(json, folder);
     study.instrument = read_instrument(json, folder, where);
-    (void)with_instrument(configuration_of(study));  // so that what is wrong with them is said now
+    // So that what is wrong with them is said now.
+    check_freedom(with_instrument(configuration_of(study)), where + ".fit.free");
     study.accept = read_words(json, "accept", where);
     check_accepted(study.accept, where);
     study.group_by = read_words(json, "group_by", where);

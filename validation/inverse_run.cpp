@@ -1,6 +1,7 @@
 #include "validation/inverse_run.hpp"
 
 #include "core/input_error.hpp"
+#include "fit/configuration_check.hpp"
 #include "fit/models.hpp"
 #include "fit/simulation.hpp"
 
@@ -52,6 +53,7 @@ InverseStudy run_inverse_study(const Configuration& configuration, Engine simula
                           .why = "the spectra are those of the model, with noise alone",
                           .remedy = "leave it out"});
     }
+    check_freedom(configuration, "free");
     const Spectrum spectrum = blank_spectrum(configuration);
     const Configuration complete = resolved(configuration, spectrum);
     const FitProblem problem = make_problem(complete, spectrum);

@@ -18,8 +18,7 @@ struct Coverage {
 
     /// 0 to 1; some must be identifiable.
     [[nodiscard]] double share() const { return static_cast<double>(covered) / static_cast<double>(identifiable); }
-    /// Whether the share lies within 93 to 97 %, or what chance makes of 95 % in so few spectra; fewer than 20
-    /// identifiable ones decide nothing.
+    /// Whether the share lies within 93 to 97 %, or within what chance makes of 95 %; without any nothing is decided.
     [[nodiscard]] std::optional<bool> passes() const;
 };
 
@@ -31,6 +30,12 @@ struct ParameterRecovery {
     std::array<std::optional<Coverage>, uncertainty_method_count> coverage;
     std::vector<std::size_t> ranks;      ///< of the truth among draws of the posterior, in equal bins
     std::optional<double> rank_p_value;  ///< of Pearson's test that they are equally full; none without a posterior
+
+    /// Whether the ranks are as even as chance makes them; true without any.
+    [[nodiscard]] bool ranks_pass() const;
+    /// Whether the coverage of this kind of interval passes; nothing where there is none, and of covariance intervals,
+    /// which are the linearised model's and judged by nobody.
+    [[nodiscard]] std::optional<bool> coverage_passes(UncertaintyMethod method) const;
 };
 
 /// So many of all spectra, and how many may be missing.
@@ -39,9 +44,11 @@ struct Agreement {
     std::size_t agreeing;
     double wanted_share;
 
-    /// 0 to 1, and whether it is as large as wanted.
+    /// 0 to 1.
     [[nodiscard]] double share() const { return static_cast<double>(agreeing) / static_cast<double>(spectra); }
-    [[nodiscard]] bool passes() const { return share() >= wanted_share; }
+    /// Whether it is as large as wanted, or as small as chance makes it where each spectrum agrees with that
+    /// probability.
+    [[nodiscard]] bool passes() const;
 };
 
 /// A recovery study in short.
@@ -60,7 +67,7 @@ struct RecoverySummary {
 [[nodiscard]] RecoverySummary summarised(const std::vector<RecoveredSpectrum>& spectra,
                                          const std::vector<FreeParameter>& free);
 
-/// Whether nothing that the study judges fails. Ranks fail below a p-value of 0.001.
+/// Whether nothing that the study judges fails. A rule fails where chance would do so in less than one study of 1000.
 [[nodiscard]] bool passes(const RecoverySummary& summary);
 
 /// One row per spectrum and parameter: truth, estimate, status and interval of each kind, rank; and how the searches of

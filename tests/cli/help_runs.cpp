@@ -112,6 +112,25 @@ TEST_F(HelpRuns, EveryCommandSaysItsExitCodesAndOptionsTheirLimits) {
     EXPECT_NE(help_of({"study", "run"}).find("; not with --quiet"), std::string::npos);
 }
 
+TEST_F(HelpRuns, TheHelpIsShownByTheCommandHelpToo) {
+    EXPECT_EQ(run({}).out, help_of({}));
+    EXPECT_EQ(run({"help"}).out, help_of({}));
+    for (const Words& command : commands()) {
+        Words words = {"help"};
+        words.insert(words.end(), command.begin(), command.end());
+        const Outcome outcome = run(words);
+        EXPECT_EQ(outcome.exit_code, 0);
+        EXPECT_EQ(outcome.out, help_of(command));
+        if (command.size() < 2) continue;
+        EXPECT_EQ(run({command.front()}).out, help_of({command.front()})) << "a command that is not finished";
+        EXPECT_EQ(run({"help", command.front()}).out, help_of({command.front()}));
+    }
+    EXPECT_EQ(run({}).exit_code, 0);
+    expect_refusal({"help", "fitt"}, "did you mean `skinfit fit`?");
+    expect_refusal({"help", "fit", "me"}, "one word too many");
+    expect_refusal({"--quiet"}, "unknown option --quiet");
+}
+
 TEST_F(HelpRuns, EveryExampleWorks) {
     // These wait for a person or take minutes; those that write where the user's own files are, too.
     const auto is_left_out = [](const std::string& example) {

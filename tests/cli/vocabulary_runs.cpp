@@ -1,7 +1,12 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <optional>
+#include <regex>
+
 #include "core/json.hpp"
 #include "core/text.hpp"
+#include "fit/description.hpp"
 #include "tests/cli/cli_test.hpp"
 #include "tests/support/known_names.hpp"
 
@@ -91,11 +96,62 @@ TEST_F(VocabularyRuns, DescribeSaysWhatAnyOfThemMeans) {
     EXPECT_EQ(run({"describe", "SUSPECT"}).out, run({"describe", "suspect"}).out);
     const Outcome all = run({"describe"});
     EXPECT_THAT(all.out, testing::AllOf(testing::HasSubstr("bilirubin_g_per_l"), testing::HasSubstr("engine")));
-    const Outcome refused = run({"describe", "bilirubin"});
-    EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_THAT(refused.err, testing::HasSubstr("did you mean \"bilirubin_g_per_l\"?"));
+    EXPECT_THAT(run({"describe", "bilirubin_g"}).err, testing::HasSubstr("did you mean \"bilirubin_g_per_l\"?"));
     EXPECT_THAT(run({"describe", "biliruben_g_per_l"}).err, testing::HasSubstr("did you mean \"bilirubin_g_per_l\"?"));
     EXPECT_THAT(run({"describe", "xyzzy"}).err, testing::Not(testing::HasSubstr("did you mean")));
+}
+
+TEST_F(VocabularyRuns, DescribeKnowsEverydayWordsAndTheWordsOfTheVerdict) {
+    const Outcome melanin = run({"describe", "melanin"});
+    EXPECT_EQ(melanin.exit_code, 0);
+    EXPECT_THAT(melanin.out, testing::HasSubstr("melanosome_fraction: parameter"));
+    const Outcome blood = run({"describe", "blood"});
+    EXPECT_THAT(blood.out, testing::AllOf(testing::HasSubstr("papillary_blood_fraction: parameter"),
+                                          testing::HasSubstr("reticular_blood_fraction: parameter")));
+    for (const Arguments& words :
+         {Arguments{"RESIDUALS", "IN", "RUNS"}, Arguments{"RESIDUALS IN RUNS"}, Arguments{"AT BOUND"}, Arguments{"ITA"},
+          Arguments{"degrees of freedom"}, Arguments{"degrees", "of", "freedom"}, Arguments{"95 % interval"}}) {
+        Arguments arguments = {"describe"};
+        arguments.insert(arguments.end(), words.begin(), words.end());
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_EQ(std::ranges::count(outcome.out, '\n'), 2) << outcome.out;
+    }
+}
+
+/// What `line` of a report labels: what stands before its first colon.
+std::optional<std::string> label_in(const std::string& line) {
+    const std::size_t colon = line.find(": ");
+    const std::size_t begin = line.find_first_not_of(" -");
+    if (colon == std::string::npos || begin > colon) return std::nullopt;
+    const std::string label = line.substr(begin, colon - begin);
+    if (label.find_first_of("(,;=") != std::string::npos) return std::nullopt;
+    return label;
+}
+
+TEST_F(VocabularyRuns, DescribeKnowsTheLabelsOfReports) {
+    const Arguments fit = {"fit",           "made.csv",  "--set",    "engine=emulator", "--set",  "discrepancy={}",
+                           "--uncertainty", "posterior", "--report", "fit.html",        "--quiet"};
+    const Outcome outcome = run(fit);
+    ASSERT_LE(outcome.exit_code, 1) << outcome.err;
+    std::size_t labels = 0;
+    for (const std::string_view line : split_lines(outcome.out)) {
+        const std::optional<std::string> label = label_in(std::string(line));
+        if (!label) continue;
+        ++labels;
+        EXPECT_TRUE(description_of(*label)) << *label;
+    }
+    EXPECT_GT(labels, 12U);
+    const std::string page = read_file(folder() / "fit.html");
+    static const std::regex heading(R"re(<(?:th scope="col"|dt)[^>]*>([^<]+)</)re");
+    std::size_t headings = 0;
+    for (std::sregex_iterator each(page.begin(), page.end(), heading), end; each != end; ++each) {
+        const std::string text = (*each)[1];
+        if (text.starts_with('[')) continue;  // a reference
+        ++headings;
+        EXPECT_TRUE(description_of(text)) << text;
+    }
+    EXPECT_GT(headings, 20U);
 }
 
 }  // namespace

@@ -123,6 +123,31 @@ TEST(ConfigurationJson, CommentsAreAllowed) {
 TEST(ConfigurationJson, FreeReplacesTheList) {
     const Configuration configuration = loaded(R"({"free": ["scale"]})");
     EXPECT_EQ(free_parameters(configuration), std::vector{Parameter::scale});
+    EXPECT_TRUE(free_parameters(loaded(R"({"free": []})")).empty());
+}
+
+TEST(ConfigurationJson, NamesWithASignChangeTheList) {
+    const std::string text = R"({"free": ["+scale", "-bilirubin_g_per_l"], "own": ["+oxygen_saturation"]})";
+    Configuration expected = default_configuration();
+    expected.free[static_cast<std::size_t>(Parameter::scale)] = true;
+    expected.free[static_cast<std::size_t>(Parameter::bilirubin_g_per_l)] = false;
+    EXPECT_EQ(loaded(text).free, expected.free);
+    EXPECT_TRUE(loaded(text).own[static_cast<std::size_t>(Parameter::oxygen_saturation)]);
+    EXPECT_TRUE(schema_accepts(text));
+    EXPECT_EQ(configured_by_text(loaded(R"({"free": ["scale"]})"), R"({"free": ["+offset"]})", "c.json").free,
+              loaded(R"({"free": ["scale", "offset"]})").free);
+    EXPECT_EQ(configured_by_assignment(default_configuration(), "free=+scale,-bilirubin_g_per_l").free, expected.free);
+    EXPECT_EQ(configured_by_assignment(default_configuration(), "free=scale, offset").free,
+              loaded(R"({"free": ["scale", "offset"]})").free);
+    EXPECT_EQ(configured_by_assignment(default_configuration(), R"(free=["+scale","-bilirubin_g_per_l"])").free,
+              expected.free);
+    EXPECT_NE(refusal(R"({"free": ["+scale", "-scale"]})").find("names scale twice"), std::string::npos);
+}
+
+TEST(ConfigurationJson, TheShippedOnesFreeTheSkin) {
+    const Configuration with_scale =
+        configured_by_text(default_configuration(), read_file(SKINFIT_SOURCE_DIR "/configs/fit_with_scale.json"), "c");
+    EXPECT_EQ(with_scale.free, with_freedom(default_configuration(), "scale", true, "--free").free);
 }
 
 TEST(ConfigurationJson, AParameterIsANumberOrAnObject) {
@@ -192,6 +217,10 @@ TEST(ConfigurationJson, MisuseIsRefusedByLoaderAndSchema) {
                                    R"({"free": [1]})",
                                    R"({"free": ["scal"]})",
                                    R"({"free": {}})",
+                                   R"({"free": ["scale", "scale"]})",
+                                   R"({"free": ["scale", "+offset"]})",
+                                   R"({"free": ["+scal"]})",
+                                   R"({"free": ["scale,offset"]})",
                                    R"({"parameters": []})",
                                    R"({"parameters": {"scal": 1}})",
                                    R"({"parameters": {"scale": 0}})",
@@ -215,6 +244,8 @@ TEST(ConfigurationJson, UnknownKeysNameTheNearest) {
     for (const auto& [text, nearest] :
          {std::pair{R"({"sead": 1})", "\"seed\""}, std::pair{R"({"wavelength": 1})", "\"wavelengths\""},
           std::pair{R"({"free": ["melanosome"]})", "\"melanosome_fraction\""},
+          std::pair{R"({"free": ["+melanosome"]})", "\"melanosome_fraction\""},
+          std::pair{R"({"parameters": {"blood": 1}})", "\"papillary_blood_fraction\" or \"reticular_blood_fraction\""},
           std::pair{R"({"parameters": {"oxygen_saturaton": 1}})", "\"oxygen_saturation\""},
           std::pair{R"({"parameters": {"scale": {"max": 1}}})", "give one of value, lower, upper"}}) {
         EXPECT_NE(refusal(text).find(nearest), std::string::npos) << refusal(text);

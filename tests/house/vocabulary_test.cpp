@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <regex>
 
+#include "core/file.hpp"
+#include "core/nearest_names.hpp"
 #include "core/text.hpp"
 #include "core/vocabulary.hpp"
+#include "fit/description.hpp"
 #include "fit/settings.hpp"
 #include "measurements/quality_checks.hpp"
 #include "model/parameters.hpp"
@@ -69,6 +72,16 @@ bool stands_in(const std::vector<SourceFile>& files, std::string_view name) {
     });
 }
 
+/// The rows of the table of everyday words.
+std::vector<std::string> everyday_lines() {
+    const std::string text = read_file(SKINFIT_SOURCE_DIR "/core/data/everyday_words.csv");
+    std::vector<std::string> rows;
+    for (const std::string_view line : split_lines(text)) {
+        if (!line.starts_with('#') && line != "word,names") rows.emplace_back(line);
+    }
+    return rows;
+}
+
 std::vector<SourceFile> sources() {
     return source_files(source_folders(), {".cpp", ".hpp"});
 }
@@ -98,6 +111,79 @@ TEST(Vocabulary, HoldsWhatResultsAndFindingsAreCalled) {
     for (const std::string_view word : quality_check_names) words.push_back(word);
     for (const std::string_view word : words) {
         EXPECT_TRUE(word == name_of(PixelReason::none) || known.contains(std::string(word))) << word;
+    }
+}
+
+/// Sources that speak to other programs in capitals: databases, shells, web servers, readers of other people's files.
+bool speaks_to_programs(const std::string& path) {
+    return path.starts_with("study/ledger") || path == "study/cube_ledger.cpp" || path == "study/one_process.cpp" ||
+           path.starts_with("measurements/") || path.starts_with("model/") || path.starts_with("core/") ||
+           path.starts_with("app/completion") || path == "app/command_completion.cpp" || path == "app/terminal.cpp" ||
+           path == "explore/api.cpp" || path == "explore/guard.cpp" || path == "app/manual.cpp" ||
+           path == "report/fit_picture.cpp" || path == "app/command_explore.cpp" || path == "fit/gnuplot.cpp" ||
+           path == "report/html_page.cpp";
+}
+
+/// The words in capitals within the string literals of `text`, but keys of citations, [KA04], and names of files.
+Names capitals(const std::string& text) {
+    static const std::regex literal(R"re("((?:[^"\\\n]|\\.)*)")re");
+    static const std::regex words(
+        R"re((^|[^A-Za-z0-9_\[/-])([A-Z][A-Z0-9]+(?: [A-Z][A-Z0-9]+)*)(?![A-Za-z0-9_./\]]))re");
+    Names found;
+    for (std::sregex_iterator each(text.begin(), text.end(), literal), end; each != end; ++each) {
+        const std::string line = (*each)[1];
+        for (std::sregex_iterator word(line.begin(), line.end(), words); word != end; ++word) {
+            found.insert((*word)[2]);
+        }
+    }
+    return found;
+}
+
+std::vector<std::string> undescribed_capitals(const std::vector<SourceFile>& files) {
+    std::vector<std::string> unknown;
+    for (const SourceFile& file : files) {
+        if (speaks_to_programs(file.path)) continue;
+        for (const std::string& word : capitals(file.text)) {
+            if (!description_of(word)) unknown.push_back(file.path + ": " + word);
+        }
+    }
+    return unknown;
+}
+
+TEST(Vocabulary, DescribesWhateverIsPrintedInCapitals) {
+    EXPECT_THAT(undescribed_capitals(sources()), testing::IsEmpty());
+    const std::vector<SourceFile> made = {
+        {"fit/made.cpp", R"("AT BOUND: {}" "XYZZY in [KA04, Fig. 3], see REFERENCES.md" "PLUGH TOO COARSE")"}};
+    EXPECT_THAT(undescribed_capitals(made),
+                testing::ElementsAre("fit/made.cpp: PLUGH TOO COARSE", "fit/made.cpp: XYZZY"));
+}
+
+TEST(Vocabulary, LabelsAreInOrderAndNoWordsOfIt) {
+    const std::span<const Word> all = labels();
+    ASSERT_GT(all.size(), 50U);
+    EXPECT_TRUE(std::ranges::is_sorted(all, std::ranges::less(), &Word::name));
+    const Names known = known_names();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        EXPECT_FALSE(i > 0 && all[i].name == all[i - 1].name) << all[i].name;
+        EXPECT_FALSE(all[i].meaning.empty()) << all[i].name;
+        EXPECT_EQ(std::ranges::find(vocabulary(), spelt(all[i].name), &Word::name), vocabulary().end()) << all[i].name;
+    }
+}
+
+TEST(Vocabulary, EverydayWordsLeadToNamesOfIt) {
+    const Names known = known_names();
+    for (const std::string word : {"melanin", "blood", "saturation", "StO2", "bilirubin", "haemoglobin", "hemoglobin",
+                                   "carotene", "thickness", "perfusion", "oxygenation", "scattering", "angle"}) {
+        ASSERT_FALSE(everyday_names(word).empty()) << word;
+        for (const std::string_view name : everyday_names(word)) EXPECT_TRUE(known.contains(std::string(name))) << name;
+    }
+    for (const std::string& line : everyday_lines()) {
+        const std::string word = line.substr(0, line.find(','));
+        EXPECT_EQ(word, spelt(word));
+        EXPECT_FALSE(find_parameter(word).has_value()) << word;
+        for (const std::string_view name : everyday_names(word)) {
+            EXPECT_TRUE(known.contains(std::string(name))) << word << ": " << name;
+        }
     }
 }
 
