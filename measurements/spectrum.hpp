@@ -62,7 +62,7 @@ struct Spectrum {
     std::vector<std::string> remarks{};  ///< what its reader left out, converted or could not make out, in words
     std::vector<FileDoubt> doubts{};     ///< in what its file contradicts itself
     std::string unusable{};  ///< why it is no spectrum that can be used; empty in all that `parse_spectra` returns
-    std::size_t line = 0;  ///< where it stands in its file: its own line or the header, from 1; 0 where neither is
+    std::size_t line = 0;    ///< where it stands in its file: its own line or the header, from 1; 0 where neither is
 };
 
 }  // namespace skinfit

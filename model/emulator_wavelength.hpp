@@ -14,6 +14,7 @@ namespace skinfit {
 /// below it. The error this leads to is found by `certify`.
 inline constexpr double least_coefficient = 5e-7;
 
+/// Optical depths of the layers of several specimens.
 using DepthVector = std::vector<PerLayer<double>>;
 
 /// One wavelength on the way to an emulator.

@@ -51,7 +51,8 @@ std::vector<std::string> all_kinds() {
 TEST_F(Drawing, IsTheModelOfTheFitWhateverTheFileStates) {
     for (const std::string& text : all_kinds()) {
         const Json file = file_of(ask("POST", "/api/spectra", text, "a.csv"));
-        const Json stated = {{"engine", "solver"}, {"starts", 1}, {"wavelengths", "400:700:5"}, {"free", {"melanosome_fraction"}}};
+        const Json stated = {
+            {"engine", "solver"}, {"starts", 1}, {"wavelengths", "400:700:5"}, {"free", {"melanosome_fraction"}}};
         const Answer started =
             post("/api/fit", {{"configuration", stated}, {"source", "a.csv"}, {"measured", file["measured"]}});
         ASSERT_EQ(started.status, 200) << started.json;
