@@ -126,13 +126,13 @@ std::vector<std::vector<double>> read_numbers(const Columns& columns, std::span<
 }
 
 NumberTable read_number_table(const Columns& columns, std::span<const std::size_t> wanted) {
-    auto [table, decimal_comma, first_word] = glance(columns, wanted);
+    GlancedTable glanced = glance(columns, wanted);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-        if (table.holds_words[i] || !first_word[i]) continue;
-        refuse_cell(at_line(columns, first_word[i]->line), label(columns, wanted[i]), first_word[i]->cell,
-                    decimal_comma);
+        const std::optional<CellWord>& word = glanced.first_word[i];
+        if (glanced.table.holds_words[i] || !word) continue;
+        refuse_cell(at_line(columns, word->line), label(columns, wanted[i]), word->cell, glanced.decimal_comma);
     }
-    return std::move(table);
+    return {std::move(glanced.table)};
 }
 
 NumberTable glance_at_numbers(const Columns& columns, std::span<const std::size_t> wanted) {
