@@ -6,6 +6,7 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
+#include "core/file.hpp"
 #include "fit/configuration_json.hpp"
 #include "tests/support/refusal.hpp"
 
