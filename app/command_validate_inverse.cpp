@@ -9,6 +9,7 @@
 #include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "core/text.hpp"
+#include "fit/configuration_check.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/gnuplot.hpp"
 #include "validation/inverse_run.hpp"
@@ -57,6 +58,7 @@ int run(const ValidateInverseCommand& command, Session& session) {
     RecoveryDesign design;
     design.spectra = command.spectra;
     design.intervals = chosen_intervals(command.intervals);
+    check_freedom(configuration, "free");  // before a folder is made
     make_output_folder(command.output);
     require_gnuplot();
     const auto limit = thread_limit(command.shared);
