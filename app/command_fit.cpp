@@ -12,7 +12,6 @@
 #include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "fit/configuration_json.hpp"
-#include "fit/file_settings.hpp"
 #include "fit/fit.hpp"
 #include "fit/gnuplot.hpp"
 #include "fit/inspection.hpp"
@@ -43,8 +42,8 @@ struct FitCommand {
     std::filesystem::path plot;
 };
 
-Configuration fit_configuration(const FitCommand& command, const Configuration& defaults) {
-    Configuration configuration = configuration_from(command.shared, defaults);
+Configuration fit_configuration(const FitCommand& command) {
+    Configuration configuration = configuration_from(command.shared);
     if (!command.solver.empty()) {
         configuration = configured_by_word(configuration, "solver", command.solver, "--solver");
     }
@@ -67,7 +66,7 @@ std::vector<std::filesystem::path> inputs(const FitCommand& command) {
 }
 
 /// One per file and column: columns belong to the one file, or to the files in their order, or the one to all files.
-std::vector<Spectrum> read_all(const FitCommand& command, const Configuration& stated, const Session& session) {
+std::vector<Spectrum> read_all(const FitCommand& command, const Configuration& stated, MeasuredFiles& measured) {
     const std::size_t files = command.files.size();
     const std::size_t columns = command.columns.size();
     if (files > 1 && columns > 1 && files != columns) {
@@ -82,19 +81,21 @@ std::vector<Spectrum> read_all(const FitCommand& command, const Configuration& s
                           .why = "it can be read once",
                           .remedy = "give - once, and name the columns of several spectra by --column"});
     }
-    MeasuredFiles measured(command.reader, session.quiet);
     std::vector<Spectrum> spectra;
     for (std::size_t k = 0; k < std::max(files, columns); ++k) {
         const std::string& file = command.files[files == 1 ? 0 : k];
-        ReadOptions options{.column = stated.column, .unit = stated.unit, .region = region_from(command.region)};
+        ReadOptions options{.column = stated.column,
+                            .unit = stated.unit,
+                            .region = region_from(command.region),
+                            .window = window_of(stated)};
         if (columns > 1) options.column = command.columns[k];
         spectra.push_back(measured.spectrum(file, options));
     }
     return spectra;
 }
 
-/// Refuses what cannot be written before the work rather than after it.
-void check_outputs(const FitCommand& command) {
+/// Refuses what cannot be written, or would replace one of these files, before the work rather than after it.
+void check_outputs(const FitCommand& command, const std::vector<std::filesystem::path>& read) {
     if (!command.plot.empty()) (void)gnuplot_terminal(command.plot, {.width = 1, .height = 1});  // the suffix
     const std::vector<std::pair<std::string, std::filesystem::path>> outputs = {{"--out", command.shared.out},
                                                                                 {"--report", command.report},
@@ -104,7 +105,7 @@ void check_outputs(const FitCommand& command) {
         const auto& [option, path] = outputs[i];
         SharedOptions one = command.shared;
         one.out = path;
-        check_output(one, inputs(command), option);
+        check_output(one, read, option);
         for (std::size_t k = 0; k < i; ++k) refuse_same_output(outputs[k], outputs[i]);
     }
 }
@@ -118,8 +119,7 @@ void check_samples(const FitCommand& command, const Configuration& configuration
 }
 
 /// The result, with a bar while it is looked for; none where Ctrl-C ends the search.
-std::optional<FitResult> fitted(const FitCommand& command, const Configuration& configuration,
-                                const std::vector<Spectrum>& spectra, const std::vector<Finding>& findings,
+std::optional<FitResult> fitted(const FitCommand& command, const FitInput& input, const std::vector<Finding>& findings,
                                 Session& session) {
     ProgressLine line(session, "fitting");
     const FitWatch watch{.stop = session.stop_on_interrupt(""),
@@ -129,11 +129,10 @@ std::optional<FitResult> fitted(const FitCommand& command, const Configuration& 
                              },
                          .keeps_partial_result = true};
     try {
-        return fit_spectra(configuration, spectra,
-                           {.cross_check = command.cross_check,
-                            .cache = cache_from(command.shared, line),
-                            .findings = findings,
-                            .watch = watch});
+        return fit_spectra(input, {.cross_check = command.cross_check,
+                                   .cache = cache_from(command.shared, line),
+                                   .findings = findings,
+                                   .watch = watch});
     } catch (const Cancelled&) {
         line.end();
         line.tell("interrupted; there is no result yet, and nothing was written");
@@ -157,17 +156,16 @@ void write_files(const FitCommand& command, const FitResult& result, const Sessi
 }
 
 int run(const FitCommand& command, Session& session) {
-    const Configuration stated = fit_configuration(command, default_configuration());
-    check_outputs(command);
-    const std::vector<Spectrum> spectra = read_all(command, stated, session);
-    // What the file states holds where the configuration does not state it.
-    const Configuration configuration =
-        fit_configuration(command, with_file_settings(default_configuration(), spectra));
+    const Configuration configuration = fit_configuration(command);
+    check_outputs(command, inputs(command));
     check_samples(command, configuration);
-    const std::vector<Finding> findings = findings_before_fit(configuration, spectra);
-    if (command.strict) refuse_warnings(findings, spectra.front().source);
+    MeasuredFiles measured(command.reader, session.quiet);
+    const FitInput input = fit_input(configuration, read_all(command, configuration, measured));
+    check_outputs(command, measured.files_of_cubes());
+    const std::vector<Finding> findings = findings_before_fit(input);
+    if (command.strict) refuse_warnings(findings, input.parts.front().spectrum.source);
     const auto limit = thread_limit(command.shared);
-    const std::optional<FitResult> result = fitted(command, configuration, spectra, findings, session);
+    const std::optional<FitResult> result = fitted(command, input, findings, session);
     if (!result) return session.interrupt.exit_code();
     write_files(command, *result, session);
     write_output(command.shared,

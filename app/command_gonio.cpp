@@ -163,7 +163,8 @@ int run(const GonioCommand& command, Session& session) {
     run.light = choice(command.part, parts);
     run.spectrum.bins = bins_of(command);
     run.spectrum.weights = weights_of(run);
-    (void)extinctions(run.wavelengths_nm, run.configuration.edition);  // refuses wavelengths outside the tables
+    (void)extinctions(run.wavelengths_nm,
+                      make_experiment(run.configuration).edition);  // refuses wavelengths outside the tables
     check_output(command.shared);
     const auto limit = thread_limit(command.shared);
     ProgressLine line(session, "following rays");

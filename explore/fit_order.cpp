@@ -30,18 +30,18 @@ std::string origin_in_words(const FitOrder& order) {
 FitOrder fit_order(const Json& request) {
     const Json named = request.value("source", Json());
     const std::string source = named.is_string() ? named.get<std::string>() : "measured";
+    const Configuration configuration =
+        requested_configuration(explore_configuration(), request.value("configuration", Json::object()));
     const Json measured = {{"spectra", request.value("measured", Json::array())}};
     const std::string text = measured.dump(-1, ' ', false, Json::error_handler_t::replace);
-    std::vector<Spectrum> spectra = parse_spectra(text, source, {}, "json").spectra;
-    const Json stated = request.value("configuration", Json::object());
-    Configuration configuration = requested_configuration(with_file_settings(explore_configuration(), spectra), stated);
-    return {.configuration = std::move(configuration), .source = source, .spectra = std::move(spectra)};
+    std::vector<Spectrum> spectra = parse_spectra(text, source, {.window = window_of(configuration)}, "json").spectra;
+    return {
+        .configuration = with_file_settings(configuration, spectra), .source = source, .spectra = std::move(spectra)};
 }
 
 FitResult fitted(const FitOrder& order, const DiskCache& cache, const FitWatch& watch) {
-    return fit_spectra(
-        order.configuration, order.spectra,
-        {.cache = cache, .findings = findings_before_fit(order.configuration, order.spectra), .watch = watch});
+    const FitInput input = fit_input(order.configuration, order.spectra);
+    return fit_spectra(input, {.cache = cache, .findings = findings_before_fit(input), .watch = watch});
 }
 
 Json fitted_documents(const FitResult& result) {

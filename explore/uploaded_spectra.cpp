@@ -23,7 +23,7 @@ Json uploaded_json(SpectrumFile file) {
 }
 
 Json uploaded_json(std::string_view bytes, const std::string& name) {
-    return uploaded_json(parse_spectra(bytes, name));
+    return uploaded_json(parse_spectra(bytes, name, {.window = usual_window()}));
 }
 
 }  // namespace skinfit

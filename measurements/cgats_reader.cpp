@@ -133,13 +133,21 @@ double reading(const Token& cell, std::string_view field, const std::string& sou
     return *number == 0 ? std::numeric_limits<double>::quiet_NaN() : *number;
 }
 
-/// By SPECTRAL_NORM, the reading of a perfect white; else by the rule for files that state nothing.
-UnitFinding unit_of(const CgatsTable& table, const std::vector<double>& readings, const std::optional<Unit>& option) {
+/// By SPECTRAL_NORM, the reading of a perfect white; else by the rule for files that state nothing. `readings` are
+/// those at all wavelengths, set after set.
+UnitFinding unit_of(const CgatsTable& table, const std::vector<double>& readings,
+                    const std::vector<double>& wavelength_nm, const ReadOptions& options) {
     const double norm = table.number("SPECTRAL_NORM").value_or(0.0);
-    if (option || (norm != 1.0 && norm != 100.0)) {
+    if (options.unit || (norm != 1.0 && norm != 100.0)) {
         std::vector<double> present;
-        std::ranges::copy_if(readings, std::back_inserter(present), [](double value) { return !std::isnan(value); });
-        return find_unit({.option = option, .comment = std::nullopt, .header = {}}, present);
+        std::vector<double> used;
+        for (std::size_t i = 0; i < readings.size(); ++i) {
+            if (std::isnan(readings[i])) continue;
+            present.push_back(readings[i]);
+            if (options.window.contains(wavelength_nm[i % wavelength_nm.size()])) used.push_back(readings[i]);
+        }
+        return find_unit({.option = options.unit, .comment = std::nullopt, .header = {}},
+                         used.empty() ? present : used);
     }
     const bool percent = norm == 100;
     return {.unit = percent ? Unit::percent : Unit::fraction,
@@ -182,7 +190,7 @@ std::vector<Spectrum> spectra_of(const CgatsTable& table, const std::string& sou
         }
     }
     if (std::ranges::all_of(readings, [](double value) { return std::isnan(value); })) return {};
-    const UnitFinding unit = unit_of(table, readings, options.unit);
+    const UnitFinding unit = unit_of(table, readings, bands.wavelength_nm, options);
     const std::optional<std::size_t> id = field_called(table, "SAMPLE_ID");
     const std::optional<std::size_t> name = field_called(table, "SAMPLE_NAME");
 

@@ -45,17 +45,6 @@ Spectrum described(const Columns& columns, const ColumnChoice& choice, std::size
     return spectrum;
 }
 
-/// Throws InputError where a value lacks its uncertainty.
-void require_sigma(const Columns& columns, std::size_t column, const Readings& readings) {
-    for (std::size_t i = 0; i < readings.value.size(); ++i) {
-        if (std::isnan(readings.value[i]) || !std::isnan(readings.sigma[i])) continue;
-        throw InputError({.where = at_line(columns, columns.rows[i].line),
-                          .problem = fmt::format("{} is empty", label(columns, column)),
-                          .why = "every value needs its uncertainty",
-                          .remedy = "give it, or delete the column of uncertainties"});
-    }
-}
-
 /// A table's columns, taken out eight at a time: so many numbers share a cache line.
 class ColumnStore {
 public:
@@ -129,12 +118,12 @@ std::vector<Spectrum> read_columns(std::string_view text, const std::string& sou
         const std::vector<double> value = store.column(at);
         const std::vector<double> sigma = choice.sigma ? store.column(at + 1) : std::vector<double>{};
         const Readings readings{.value = value, .sigma = sigma};
-        if (choice.sigma) require_sigma(columns, *choice.sigma, readings);
         const std::string header =
             columns.names.empty() ? "" : columns.names.front() + " " + columns.names[choice.value];
         spectra.push_back(described(columns, choice, choices.size(), description));
-        take_readings(spectra.back(), grid, readings,
-                      {.option = options.unit, .comment = description.unit, .header = header});
+        take_readings(
+            spectra.back(), grid, readings,
+            {.option = options.unit, .comment = description.unit, .header = header, .window = options.window});
     }
     if (spectra.empty()) require_numbers(columns, std::array{choices.front().value});
     return spectra;

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
 #include <span>
 
 #include "core/input_error.hpp"
@@ -13,18 +16,19 @@ namespace {
 
 /// Sums over pixels of how far they are from the first: then no digits cancel in the scatter of bright pixels.
 struct Sums {
-    std::vector<double> origin;
+    std::vector<double> origin;  ///< of each band: the first number
     std::vector<double> difference;
     std::vector<double> square;
+    std::vector<std::size_t> count;  ///< of numbers in each band
     std::size_t pixels = 0;
 
+    explicit Sums(std::size_t bands)
+        : origin(bands, std::numeric_limits<double>::quiet_NaN()), difference(bands), square(bands), count(bands) {}
+
     void add(std::span<const double> spectrum) {
-        if (pixels == 0) {
-            origin.assign(spectrum.begin(), spectrum.end());
-            difference.assign(spectrum.size(), 0);
-            square.assign(spectrum.size(), 0);
-        }
         for (std::size_t i = 0; i < spectrum.size(); ++i) {
+            if (std::isnan(spectrum[i])) continue;
+            if (count[i]++ == 0) origin[i] = spectrum[i];
             const double d = spectrum[i] - origin[i];
             difference[i] += d;
             square[i] += d * d;
@@ -33,28 +37,42 @@ struct Sums {
     }
 };
 
-bool is_complete(std::span<const double> spectrum) {
-    return std::ranges::none_of(spectrum, [](double value) { return std::isnan(value); });
+/// Whether there is a number in each of these bands.
+bool is_complete(std::span<const double> spectrum, const std::vector<std::size_t>& needed) {
+    return std::ranges::none_of(needed, [&](std::size_t band) { return std::isnan(spectrum[band]); });
 }
 
-std::vector<double> standard_uncertainty(const Sums& sums) {
+/// The places of the wavelengths in the window; of all where it has none.
+std::vector<std::size_t> places_in(const WavelengthWindow& window, const std::vector<double>& wavelength_nm) {
+    std::vector<std::size_t> all(wavelength_nm.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    std::vector<std::size_t> used;
+    std::ranges::copy_if(all, std::back_inserter(used),
+                         [&](std::size_t i) { return window.contains(wavelength_nm[i]); });
+    return used.empty() ? all : used;
+}
+
+std::vector<double> standard_uncertainty(const Sums& sums, const std::vector<std::size_t>& needed) {
     std::vector<double> sigma;
-    const auto n = static_cast<double>(sums.pixels);
     for (std::size_t i = 0; i < sums.origin.size(); ++i) {
+        const auto n = static_cast<double>(sums.count[i]);
         const double squares_about_mean = sums.square[i] - sums.difference[i] * sums.difference[i] / n;
-        if (!(squares_about_mean > 0)) return {};
-        sigma.push_back(std::sqrt(squares_about_mean / (n - 1) / n));
+        const bool is_known = squares_about_mean > 0;
+        if (!is_known && std::ranges::binary_search(needed, i)) return {};
+        sigma.push_back(is_known ? std::sqrt(squares_about_mean / (n - 1) / n)
+                                 : std::numeric_limits<double>::quiet_NaN());
     }
     return sigma;
 }
 
 }  // namespace
 
-CubeMean mean_spectrum(const SpectralCube& cube, const CubeRegion& region) {
+CubeMean mean_spectrum(const SpectralCube& cube, const CubeRegion& region, const WavelengthWindow& window) {
     const std::size_t bands = cube.bands().size();
     const Rectangle& rectangle = region.rectangle();
     const std::size_t end = rectangle.first_line + rectangle.lines;
-    Sums sums;
+    const std::vector<std::size_t> needed = places_in(window, cube.wavelength_nm());
+    Sums sums(bands);
     std::size_t left_out = 0;
     for (std::size_t first = rectangle.first_line; first < end; first += cube.lines_at_once()) {
         const std::size_t count = std::min(cube.lines_at_once(), end - first);
@@ -64,7 +82,7 @@ CubeMean mean_spectrum(const SpectralCube& cube, const CubeRegion& region) {
         for (std::size_t pixel = 0; pixel < chosen.size(); ++pixel) {
             if (!chosen[pixel]) continue;
             const std::span<const double> spectrum = std::span(fractions).subspan(pixel * bands, bands);
-            if (is_complete(spectrum)) {
+            if (is_complete(spectrum, needed)) {
                 sums.add(spectrum);
             } else {
                 ++left_out;
@@ -79,8 +97,8 @@ CubeMean mean_spectrum(const SpectralCube& cube, const CubeRegion& region) {
              .remedy = "choose another mask or rectangle, or mark the bands without data as bad in \"bbl\""});
     }
     CubeMean mean{.value = sums.origin, .sigma = {}, .pixels = sums.pixels, .left_out = left_out};
-    for (std::size_t i = 0; i < bands; ++i) mean.value[i] += sums.difference[i] / static_cast<double>(sums.pixels);
-    if (sums.pixels > 1) mean.sigma = standard_uncertainty(sums);
+    for (std::size_t i = 0; i < bands; ++i) mean.value[i] += sums.difference[i] / static_cast<double>(sums.count[i]);
+    if (sums.pixels > 1) mean.sigma = standard_uncertainty(sums, needed);
     return mean;
 }
 

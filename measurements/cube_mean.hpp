@@ -5,19 +5,23 @@
 
 #include "measurements/cube_region.hpp"
 #include "measurements/spectral_cube.hpp"
+#include "measurements/wavelength_window.hpp"
 
 namespace skinfit {
 
 /// The mean spectrum of a region of a cube.
 struct CubeMean {
-    std::vector<double> value;  ///< one per wavelength of the cube, as fractions
+    std::vector<double> value;  ///< one per wavelength of the cube, as fractions; NaN where no pixel has a number
     std::vector<double> sigma;  ///< of `value`: the pixels' standard deviation over the root of their number
     std::size_t pixels;         ///< averaged, at least 1
-    std::size_t left_out;       ///< pixels of the region with a number that is missing in a good band
+    std::size_t left_out;       ///< pixels of the region with a number that is missing in a good band of the window
 };
 
-/// Averages the region in one pass over its lines. `sigma` is empty for a single pixel and where all pixels agree in
-/// some band. Throws InputError when the region holds no pixel that is complete, and when the data cannot be read.
-[[nodiscard]] CubeMean mean_spectrum(const SpectralCube& cube, const CubeRegion& region);
+/// Averages the region in one pass over its lines: the pixels that have numbers in all bands of `window`, and in each
+/// other band those of them that have a number there. `sigma` is empty for a single pixel and where all pixels agree in
+/// some band of the window; NaN in other bands with fewer than two numbers. Throws InputError when the region holds no
+/// pixel that is complete, and when the data cannot be read.
+[[nodiscard]] CubeMean mean_spectrum(const SpectralCube& cube, const CubeRegion& region,
+                                     const WavelengthWindow& window = {});
 
 }  // namespace skinfit

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "core/geometry.hpp"
@@ -57,11 +58,20 @@ std::vector<FileNote> notes_on(const SpectralCube& cube, const RegionChoice& cho
     return notes;
 }
 
-}  // namespace
-
-bool is_cube(const std::filesystem::path& path, const std::optional<std::string>& reader) {
-    return reader ? *reader == envi_reader_name : find_envi_header(path).has_value();
+/// The numbers in the window; all of them where it has none.
+std::vector<double> used_values(const WavelengthWindow& window, const std::vector<double>& wavelength_nm,
+                                const std::vector<double>& value) {
+    std::vector<double> present;
+    std::vector<double> used;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        if (std::isnan(value[i])) continue;
+        present.push_back(value[i]);
+        if (window.contains(wavelength_nm[i])) used.push_back(value[i]);
+    }
+    return used.empty() ? present : used;
 }
+
+}  // namespace
 
 Spectrum common_spectrum(const SpectralCube& cube) {
     Spectrum spectrum;
@@ -70,13 +80,19 @@ Spectrum common_spectrum(const SpectralCube& cube) {
     spectrum.instrument = cube.header().sensor_type;
     spectrum.unit_rule = cube.unit_rule();
     spectrum.wavelength_nm = cube.wavelength_nm();
+    for (std::size_t i = 1; i < cube.bands().size(); ++i) {
+        if (spectrum.wavelength_nm[i] != spectrum.wavelength_nm[i - 1]) continue;
+        spectrum.repeated.push_back({.wavelength_nm = spectrum.wavelength_nm[i],
+                                     .where = fmt::format("{}: band {}", cube.header().source, cube.bands()[i] + 1),
+                                     .first = fmt::format("band {}", cube.bands()[i - 1] + 1)});
+    }
     take_bandpass(spectrum, widths_of(cube));
     return spectrum;
 }
 
-Spectrum read_envi(const std::filesystem::path& path, const ReadOptions& options) {
-    const SpectralCube cube(path, options.unit);
-    const CubeMean mean = mean_spectrum(cube, CubeRegion(options.region, cube));
+Spectrum read_envi(const EnviFiles& files, const ReadOptions& options) {
+    const SpectralCube cube(files, options.unit);
+    const CubeMean mean = mean_spectrum(cube, CubeRegion(options.region, cube), options.window);
 
     Spectrum spectrum = common_spectrum(cube);
     const std::vector<FileNote> notes = notes_on(cube, options.region, mean);
@@ -85,11 +101,20 @@ Spectrum read_envi(const std::filesystem::path& path, const ReadOptions& options
 
     const bool stated = options.unit || cube.header().reflectance_scale_factor;
     const UnitFinding found = stated ? UnitFinding{.unit = Unit::fraction, .rule = cube.unit_rule()}
-                                     : find_unit({.option = {}, .comment = {}, .header = {}}, mean.value);
+                                     : find_unit({.option = {}, .comment = {}, .header = {}},
+                                                 used_values(options.window, cube.wavelength_nm(), mean.value));
     const double one = found.unit == Unit::percent ? 100 : 1;
     spectrum.unit_rule = found.rule;
-    for (const double value : mean.value) spectrum.value.push_back(value / one);
-    for (const double sigma : mean.sigma) spectrum.sigma.push_back(sigma / one);
+    spectrum.wavelength_nm.clear();
+    for (std::size_t i = 0; i < mean.value.size(); ++i) {
+        if (std::isnan(mean.value[i])) {
+            spectrum.missing_nm.push_back(cube.wavelength_nm()[i]);
+            continue;
+        }
+        spectrum.wavelength_nm.push_back(cube.wavelength_nm()[i]);
+        spectrum.value.push_back(mean.value[i] / one);
+        if (!mean.sigma.empty()) spectrum.sigma.push_back(mean.sigma[i] / one);
+    }
     return spectrum;
 }
 

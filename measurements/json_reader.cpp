@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -23,13 +24,13 @@ namespace {
 constexpr std::string_view example = "`skinfit convert --format json` writes an example";
 
 /// Names with a meaning; any other is a note.
-constexpr std::array<std::string_view, 21> known = {
+constexpr std::array<std::string_view, 22> known = {
     "name",         "wavelength_nm", "start",          "step",
     "value",        "values",        "sigma",          "unit",
     "quantity",     "incidence_deg", "specular",       "viewing_cone_deg",
     "instrument",   "site",          "aperture_mm",    "repeats",
-    "sigma_source", "missing",       "bandpass_shape", "bandpass_width_nm",
-    "notes"};
+    "sigma_source", "missing_nm",    "bandpass_shape", "bandpass_width_nm",
+    "notes",        "missing"};
 
 /// One object of the file, and how messages name it.
 struct Object {
@@ -170,7 +171,8 @@ void take_description(Spectrum& spectrum, const Object& object) {
     take_notes(spectrum, object);
 }
 
-/// The readings of the same specimen, in the order of the grid, without the wavelengths whose value is missing.
+/// The readings of the same specimen, in the order of the grid, without the wavelengths whose value is missing; NaN
+/// where a reading has none.
 void take_repeats(Spectrum& spectrum, const Object& object, const Grid& grid, const std::vector<double>& value,
                   double scale) {
     const Json* const repeats = object.find("repeats");
@@ -185,7 +187,6 @@ void take_repeats(Spectrum& spectrum, const Object& object, const Grid& grid, co
         std::vector<double>& readings = spectrum.repeats.emplace_back();
         for (const std::size_t i : grid.order) {
             if (std::isnan(value[i])) continue;
-            if (std::isnan(found[i])) refuse(object, "repeats", repeat, "a number is needed where there is a value");
             readings.push_back(found[i] / scale);
         }
     }
@@ -217,14 +218,19 @@ Spectrum spectrum_of(const Object& object, const std::string& source, const std:
     spectrum.name = text(object, "name");
     if (spectrum.name.empty()) spectrum.name = default_name;
     take_description(spectrum, object);
-    for (std::size_t i = 0; i < sigma.size(); ++i) {
-        if (std::isnan(sigma[i]) && !std::isnan(value[i]))
-            refuse(object, "sigma", *object.find("sigma"), "every value needs one");
-    }
     take_readings(spectrum, grid, {.value = value, .sigma = sigma},
-                  {.option = options.unit, .comment = word<Unit>(object, "unit", unit_names), .header = {}});
+                  {.option = options.unit,
+                   .comment = word<Unit>(object, "unit", unit_names),
+                   .header = {},
+                   .window = options.window});
     take_repeats(spectrum, object, grid, value, spectrum.unit_rule.starts_with("percent") ? 100 : 1);
-    spectrum.missing += static_cast<std::size_t>(number(object, "missing", {0, 1e9}).value_or(0));
+    // Release 0.1.0 wrote how many there were, and not where.
+    spectrum.missing_nm.resize(
+        spectrum.missing_nm.size() + static_cast<std::size_t>(number(object, "missing", {0, 1e6}).value_or(0)),
+        std::numeric_limits<double>::quiet_NaN());
+    if (const Json* const missing = object.find("missing_nm"); missing != nullptr) {
+        std::ranges::move(numbers(object, "missing_nm", *missing), std::back_inserter(spectrum.missing_nm));
+    }
     if (!sigma.empty()) {
         spectrum.sigma_source = text(object, "sigma_source");
         if (spectrum.sigma_source.empty()) spectrum.sigma_source = "given by the file";

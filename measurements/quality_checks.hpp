@@ -34,6 +34,9 @@ namespace skinfit {
 /// `missing_values`: the file has wavelengths without a value. A note where they are one in ten or fewer.
 [[nodiscard]] std::optional<Finding> missing_values(const Spectrum& spectrum);
 
+/// `repeated_wavelengths`: a wavelength has several values.
+[[nodiscard]] std::optional<Finding> repeated_wavelengths(const Spectrum& spectrum);
+
 /// `outside_tables`: wavelengths outside those that the model knows. A note where others lie inside.
 [[nodiscard]] std::optional<Finding> outside_tables(const Spectrum& spectrum, const ModelledRange& modelled);
 
@@ -81,11 +84,12 @@ struct SpectrumCheck {
 };
 
 /// All of them, in the order of their findings.
-inline constexpr std::array<SpectrumCheck, 11> spectrum_checks = {{{"unit_conflict", unit_conflict},
+inline constexpr std::array<SpectrumCheck, 12> spectrum_checks = {{{"unit_conflict", unit_conflict},
                                                                    {"outside_0_1", outside_0_1},
                                                                    {"offset", offset},
                                                                    {"dark_everywhere", dark_everywhere},
                                                                    {"missing_values", missing_values},
+                                                                   {"repeated_wavelengths", repeated_wavelengths},
                                                                    {"spikes", spikes},
                                                                    {"collapse_at_end", collapse_at_end},
                                                                    {"falling_end", falling_end},

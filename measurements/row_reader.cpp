@@ -158,7 +158,10 @@ std::vector<Spectrum> read_rows(std::string_view text, const std::string& source
         spectrum.source = source;
         take_labels(spectrum, cells, *header, row.line);
         take_readings(spectrum, grid, {.value = values},
-                      {.option = options.unit, .comment = description.unit, .header = header->labels.front()});
+                      {.option = options.unit,
+                       .comment = description.unit,
+                       .header = header->labels.front(),
+                       .window = options.window});
         if (!spectrum.value.empty()) spectra.push_back(std::move(spectrum));
     }
     return spectra;

@@ -26,13 +26,13 @@ Grid make_grid(std::span<const double> wavelength_nm, const std::function<GridPl
     std::iota(grid.order.begin(), grid.order.end(), std::size_t{0});
     std::ranges::stable_sort(grid.order, {}, [&](std::size_t i) { return wavelength_nm[i]; });
     for (const std::size_t i : grid.order) grid.wavelength_nm.push_back(wavelength_nm[i]);
-    const auto first = std::ranges::adjacent_find(grid.wavelength_nm);
-    if (first == grid.wavelength_nm.end()) return grid;
-    const std::size_t* const pair = grid.order.data() + (first - grid.wavelength_nm.begin());
-    throw InputError({.where = place(pair[1]).where,
-                      .problem = fmt::format("repeats the wavelength {} nm", *first),
-                      .why = fmt::format("{} has it already", place(pair[0]).which),
-                      .remedy = "keep one of the two or average them"});
+    for (std::size_t i = 1; i < grid.order.size() && grid.repeated.size() < most_repeated; ++i) {
+        if (grid.wavelength_nm[i] != grid.wavelength_nm[i - 1]) continue;
+        grid.repeated.push_back({.wavelength_nm = grid.wavelength_nm[i],
+                                 .where = place(grid.order[i]).where,
+                                 .first = place(grid.order[i - 1]).which});
+    }
+    return grid;
 }
 
 namespace {
@@ -43,12 +43,20 @@ void take_numbers(Spectrum& spectrum, const Grid& grid, const Readings& readings
     spectrum.value.reserve(grid.order.size());
     for (std::size_t i = 0; i < grid.order.size(); ++i) {
         const double value = readings.value[grid.order[i]];
-        if (std::isnan(value)) continue;
+        if (std::isnan(value)) {
+            spectrum.missing_nm.push_back(grid.wavelength_nm[i]);
+            continue;
+        }
         spectrum.wavelength_nm.push_back(grid.wavelength_nm[i]);
         spectrum.value.push_back(value);
         if (!readings.sigma.empty()) spectrum.sigma.push_back(readings.sigma[grid.order[i]]);
     }
-    spectrum.missing = grid.order.size() - spectrum.value.size();
+    spectrum.repeated = grid.repeated;
+    // Where one of the two has no value, there is one value.
+    std::erase_if(spectrum.repeated, [&](const RepeatedWavelength& each) {
+        const auto [first, last] = std::ranges::equal_range(spectrum.wavelength_nm, each.wavelength_nm);
+        return last - first < 2;
+    });
 }
 
 void take_unit(Spectrum& spectrum, const UnitFinding& found) {
@@ -62,7 +70,12 @@ void take_unit(Spectrum& spectrum, const UnitFinding& found) {
 
 void take_readings(Spectrum& spectrum, const Grid& grid, const Readings& readings, const UnitStatements& statements) {
     take_numbers(spectrum, grid, readings);
-    if (!spectrum.value.empty()) take_unit(spectrum, find_unit(statements, spectrum.value));
+    if (spectrum.value.empty()) return;
+    std::vector<double> used;
+    for (std::size_t i = 0; i < spectrum.value.size(); ++i) {
+        if (statements.window.contains(spectrum.wavelength_nm[i])) used.push_back(spectrum.value[i]);
+    }
+    take_unit(spectrum, find_unit(statements, used.empty() ? spectrum.value : used));
 }
 
 void take_readings(Spectrum& spectrum, const Grid& grid, const Readings& readings, const UnitFinding& found) {

@@ -14,10 +14,14 @@
 /// What the readers have in common once they have numbers.
 namespace skinfit {
 
+/// So many repeated wavelengths are known by their places; nobody reads more.
+inline constexpr std::size_t most_repeated = 100;
+
 /// The wavelengths of one or more spectra, ascending.
 struct Grid {
     std::vector<double> wavelength_nm;
-    std::vector<std::size_t> order;  ///< where each stands in the file
+    std::vector<std::size_t> order;              ///< where each stands in the file
+    std::vector<RepeatedWavelength> repeated{};  ///< at most `most_repeated`, for messages
 };
 
 /// How messages name the place of a wavelength.
@@ -26,8 +30,8 @@ struct GridPlace {
     std::string which;  ///< `line 4`
 };
 
-/// Sorts the wavelengths of a file, given in its order. Throws InputError for one outside [100, 10000] nm and for one
-/// that is repeated; `place` names the i-th.
+/// Sorts the wavelengths of a file, given in its order; those that are repeated stay in it. Throws InputError for one
+/// outside [100, 10000] nm; `place` names the i-th.
 [[nodiscard]] Grid make_grid(std::span<const double> wavelength_nm, const std::function<GridPlace(std::size_t)>& place);
 
 /// The readings of one spectrum, in the order of its file: NaN where one is missing.
@@ -36,8 +40,9 @@ struct Readings {
     std::span<const double> sigma{};  ///< empty where not given
 };
 
-/// Fills wavelengths, values, sigma, `missing` and `unit_rule` of `spectrum`; percent becomes fractions. Without any
-/// value all of them are empty.
+/// Fills wavelengths, values, sigma, `missing_nm`, `repeated` and `unit_rule` of `spectrum`; percent becomes fractions.
+/// The unit is that of the values in the window of `statements`, where there are some. Without any value all of them
+/// are empty.
 void take_readings(Spectrum& spectrum, const Grid& grid, const Readings& readings, const UnitStatements& statements);
 /// The same where the unit is known.
 void take_readings(Spectrum& spectrum, const Grid& grid, const Readings& readings, const UnitFinding& found);

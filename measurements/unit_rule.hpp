@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "measurements/wavelength_window.hpp"
+
 namespace skinfit {
 
 /// The unit of the values in a file.
@@ -26,6 +28,7 @@ struct UnitStatements {
     std::optional<Unit> option;   ///< the user
     std::optional<Unit> comment;  ///< a comment in the file
     std::string_view header;      ///< percent where it holds `%` or "percent"
+    WavelengthWindow window{};    ///< where nothing states it: of the values that are looked at
 };
 
 /// The unit as stated; where nothing states it, percent when half of `values` or more exceed `largest_fraction` and

@@ -2,20 +2,20 @@
 
 #include "model/disk_cache.hpp"
 #include "study/cube_ledger.hpp"
-#include "study/study.hpp"
+#include "study/study_reader.hpp"
 
 namespace skinfit {
 
-/// How a cube is fitted. Its input hash is that of its header, its region, and of the size and the time of the last
-/// change of its data and mask: gigabytes are not read to see whether they are the same. What cannot be read becomes an
-/// entry with a problem and without tiles.
-[[nodiscard]] CubeEntry planned(const StudyCube& cube);
+/// How this one of the study's cubes is fitted. Its input hash is that of its header, its region, and of the size and
+/// the time of the last change of its data and mask: gigabytes are not read to see whether they are the same. What
+/// cannot be read becomes an entry with a problem and without tiles.
+[[nodiscard]] CubeEntry planned(StudyReader& reader, std::size_t cube);
 
 /// The file of the map of a cube, in the study's folder of maps: its source, in which folders become underscores.
 [[nodiscard]] std::string map_name(const std::string& source);
 
-/// Writes the map of a cube whose tiles are all done into `folder`, with its pictures, and notes that in the ledger.
-/// Throws InputError when they cannot be written.
-void write_map(const Ledger& ledger, const Study& study, const StudyCube& cube, const DiskCache& cache);
+/// Writes the map of this one of the study's cubes, whose tiles are all done, with its pictures, and notes that in the
+/// ledger. Throws InputError when they cannot be written.
+void write_map(const Ledger& ledger, StudyReader& reader, std::size_t cube, const DiskCache& cache);
 
 }  // namespace skinfit

@@ -58,11 +58,11 @@ BulkFitter fitter_of(const FitProblem& problem, const DiskCache& cache) {
     return {problem, std::get<Emulator>(models.front()), pixel_options};
 }
 
-/// Every check of a spectrum by itself can reject a pixel under its own name, but for that of repeats: pixels have
-/// none.
+/// Every check of a spectrum by itself can reject a pixel under its own name, but for those of repeats, of which pixels
+/// have none, and of repeated wavelengths, which are the whole cube's.
 static_assert(std::ranges::all_of(spectrum_checks, [](const SpectrumCheck& each) {
     return (std::ranges::find(pixel_reason_names, each.name) == pixel_reason_names.end()) ==
-           (each.name == "noise_against_repeats");
+           (each.name == "noise_against_repeats" || each.name == "repeated_wavelengths");
 }));
 
 PixelReason reason_named(const std::string& finding) {
@@ -83,9 +83,8 @@ PixelFit without_numbers(FitStatus status, PixelReason reason, std::size_t free_
 }  // namespace
 
 PixelFitter::PixelFitter(const Configuration& configuration, const Spectrum& common, const DiskCache& cache)
-    : configuration_(for_pixels(configuration)),
-      common_(common),
-      problem_(problem_of(configuration_, common)),
+    : common_(common),
+      problem_(problem_of(for_pixels(configuration), common)),
       fitted_(places(problem_.only().wavelength_nm, common.wavelength_nm)),
       improbable_chi2_(improbable_chi2(problem_)),
       fitter_(fitter_of(problem_, cache)) {}
@@ -96,12 +95,14 @@ PixelReason PixelFitter::reason_to_reject(std::span<const double> values) const 
     Spectrum spectrum = common_;
     spectrum.wavelength_nm.clear();
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (std::isnan(values[i])) continue;
+        if (std::isnan(values[i])) {
+            spectrum.missing_nm.push_back(common_.wavelength_nm[i]);
+            continue;
+        }
         spectrum.wavelength_nm.push_back(common_.wavelength_nm[i]);
         spectrum.value.push_back(values[i]);
     }
-    spectrum.missing = values.size() - spectrum.value.size();
-    for (const Finding& finding : findings_before_fit(configuration_, std::span(&spectrum, 1))) {
+    for (const Finding& finding : findings_before_fit(problem_.only().configuration, spectrum)) {
         if (finding.severity == Severity::warning) return reason_named(finding.name);
     }
     return PixelReason::none;

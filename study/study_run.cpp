@@ -11,7 +11,7 @@
 #include "core/input_error.hpp"
 #include "core/version.hpp"
 #include "fit/configuration_json.hpp"
-#include "fit/named_instrument.hpp"
+#include "fit/problem.hpp"
 #include "study/cube_plan.hpp"
 #include "study/ledger_lock.hpp"
 #include "study/ledger_merge.hpp"
@@ -35,17 +35,18 @@ bool belongs(std::size_t position, const StudyPart& part) {
     return position / spectra_at_once % part.parts == part.number - 1;
 }
 
-Plan plan_of(const Study& study) {
+Plan plan_of(StudyReader& reader) {
+    const Study& study = reader.study();
     Plan plan;
     std::map<std::string, std::string> seen;
     const bool duplicates_count = std::ranges::find(study.accept, "duplicate") == study.accept.end();
-    for (const StudyFile& file : study.files) {
-        StudySpectra read = read_study_file(file);
-        if (duplicates_count) refuse_duplicates(read, seen);
+    for (std::size_t file = 0; file < study.files.size(); ++file) {
+        StudySpectra read = *reader.spectra_of(file);
+        if (duplicates_count) refuse_duplicates(read, seen, reader.window());
         plan.left_out += read.left_out;
         std::ranges::move(read.entries, std::back_inserter(plan.roster));
     }
-    for (const StudyCube& cube : study.cubes) plan.cubes.push_back(planned(cube));
+    for (std::size_t cube = 0; cube < study.cubes.size(); ++cube) plan.cubes.push_back(planned(reader, cube));
     return plan;
 }
 
@@ -136,7 +137,7 @@ void store(Ledger& ledger, const Study& study, const Plan& plan, const StudyDone
 
 /// Settings with which no spectrum could be fitted are an error of the study, not of each of its spectra.
 void check_settings(const Study& study) {
-    const Configuration configuration = with_instrument(configuration_of(study));
+    const Configuration configuration = with_instrument(study.configuration);
     Spectrum ramp;
     ramp.source = study.file.string();
     constexpr double step_nm = 5;
@@ -148,12 +149,13 @@ void check_settings(const Study& study) {
 }
 
 /// Writes the maps of all cubes whose tiles are all done.
-void write_maps(const Study& study, const Ledger& ledger, const StudyRunOptions& options) {
+void write_maps(StudyReader& reader, const Ledger& ledger, const StudyRunOptions& options) {
+    const std::vector<StudyCube>& cubes = reader.study().cubes;
     for (const CubeRow& row : cube_rows(ledger)) {
         if (row.tiles == 0 || row.tiles_done < row.tiles || !row.map.empty() || !row.reason.empty()) continue;
-        const auto cube = std::ranges::find(study.cubes, row.source, &StudyCube::source);
+        const auto cube = std::ranges::find(cubes, row.source, &StudyCube::source);
         options.tell(fmt::format("writing the map of {}", row.source));
-        write_map(ledger, study, *cube, options.cache);
+        write_map(ledger, reader, static_cast<std::size_t>(cube - cubes.begin()), options.cache);
     }
 }
 
@@ -166,7 +168,7 @@ void make_folder_of(const std::filesystem::path& ledger) {
 void note_settings(Ledger& ledger, const Study& study) {
     ledger.set_note("study", study.name);
     ledger.set_note("version", std::string(version));
-    ledger.set_note("configuration", to_json(with_instrument(configuration_of(study))).dump());
+    ledger.set_note("configuration", to_json(with_instrument(study.configuration)).dump());
 }
 
 void tell_change(const RosterChange& change, const StudyRunOptions& options) {
@@ -190,7 +192,7 @@ std::filesystem::path ledger_path(const Study& study) {
 
 std::string configuration_hash_of(const Study& study) {
     // What an instrument says counts, not the file that says it.
-    Configuration configuration = with_instrument(configuration_of(study));
+    Configuration configuration = with_instrument(study.configuration);
     configuration.instrument.reset();
     const Json everything = {
         {"version", version}, {"configuration", to_json(configuration)}, {"fit", study.fit}, {"accept", study.accept}};
@@ -203,7 +205,8 @@ StudyRun run_study(const Study& study, const StudyRunOptions& options) {
     const LedgerLock lock(options.ledger);
     Ledger ledger(options.ledger, Ledger::Access::write);
     const std::string hash = configuration_hash_of(study);
-    Plan plan = plan_of(study);
+    const auto reader = std::make_shared<StudyReader>(study);
+    Plan plan = plan_of(*reader);
     if (options.part) take_part(plan, *options.part);
     StudyRun run{.change = ledger.take(plan.roster, hash), .left_out = plan.left_out, .progress = {}};
     take_cubes(ledger, plan.cubes, hash);
@@ -214,10 +217,10 @@ StudyRun run_study(const Study& study, const StudyRunOptions& options) {
     options.progress(run.progress);
     std::vector<std::size_t> waiting = tiles_of_cubes(tasks, study.cubes.size());
     const auto finish_maps = [&] {
-        if (!options.part) write_maps(study, ledger, options);
+        if (!options.part) write_maps(*reader, ledger, options);
     };
     {
-        WorkerThreads threads(options.jobs, study_worker(study, options.cache));
+        WorkerThreads threads(options.jobs, study_worker(reader, options.cache));
         const std::size_t done = lead(threads,
                                       {.tasks = tasks.size(),
                                        .text = [&](std::size_t number) { return bytes_of(tasks[number]); },
@@ -243,7 +246,8 @@ StudyRun merge_study(const Study& study, const std::vector<std::filesystem::path
     const LedgerLock lock(options.ledger);
     Ledger ledger(options.ledger, Ledger::Access::write);
     const std::string hash = configuration_hash_of(study);
-    const Plan plan = plan_of(study);
+    StudyReader reader(study);
+    const Plan plan = plan_of(reader);
     StudyRun run{.change = ledger.take(plan.roster, hash), .left_out = plan.left_out, .progress = {}};
     take_cubes(ledger, plan.cubes, hash);
     note_settings(ledger, study);
@@ -252,7 +256,7 @@ StudyRun merge_study(const Study& study, const std::vector<std::filesystem::path
         options.tell(fmt::format("{}: {} spectra and {} tiles", path.string(), taken.spectra, taken.tiles));
         run.progress.spectra += taken.spectra;
     }
-    write_maps(study, ledger, options);
+    write_maps(reader, ledger, options);
     return run;
 }
 
