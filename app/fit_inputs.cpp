@@ -24,9 +24,9 @@ void check(const NamedSpectra& named) {
     }
 }
 
-FitInput read_input(const std::string& name, const std::string& file, const ReadOptions& options,
-                    MeasuredFiles& measured) {
-    FitInput input{.name = name, .spectrum = {}, .refusal = {}};
+NamedSpectrum read_named(const std::string& name, const std::string& file, const ReadOptions& options,
+                         MeasuredFiles& measured) {
+    NamedSpectrum input{.name = name, .spectrum = {}, .refusal = {}};
     try {
         input.spectrum = measured.spectrum(file, options);
     } catch (const InputError& error) {
@@ -37,28 +37,28 @@ FitInput read_input(const std::string& name, const std::string& file, const Read
 
 }  // namespace
 
-std::vector<FitInput> read_inputs(const NamedSpectra& named, MeasuredFiles& measured) {
+std::vector<NamedSpectrum> read_spectra_named(const NamedSpectra& named, MeasuredFiles& measured) {
     check(named);
     const std::size_t files = named.files.size();
     const std::size_t columns = named.columns.size();
-    std::vector<FitInput> inputs;
+    std::vector<NamedSpectrum> spectra;
     for (std::size_t k = 0; k < std::max(files, columns); ++k) {
         const std::string& file = named.files[files == 1 ? 0 : k];
         ReadOptions options = named.options;
         std::string name = file;
         if (columns > 0) options.column = named.columns[columns == 1 ? 0 : k];
         if (columns > 1) name += " " + named.columns[k];
-        inputs.push_back(read_input(name, file, options, measured));
+        spectra.push_back(read_named(name, file, options, measured));
     }
-    return inputs;
+    return spectra;
 }
 
-bool state_one_specimen(const std::vector<FitInput>& inputs) {
-    const auto specimen = [](const FitInput& input) { return input.spectrum ? input.spectrum->specimen : ""; };
-    const std::string first = specimen(inputs.front());
+bool state_one_specimen(const std::vector<NamedSpectrum>& spectra) {
+    const auto specimen = [](const NamedSpectrum& input) { return input.spectrum ? input.spectrum->specimen : ""; };
+    const std::string first = specimen(spectra.front());
     // A column's name, as `skinfit convert` writes it where the file states no specimen, is none.
     if (first.empty() || std::ranges::find(quantity_names, first) != quantity_names.end()) return false;
-    return std::ranges::all_of(inputs, [&](const FitInput& each) { return specimen(each) == first; });
+    return std::ranges::all_of(spectra, [&](const NamedSpectrum& each) { return specimen(each) == first; });
 }
 
 }  // namespace skinfit

@@ -18,16 +18,16 @@ struct NamedSpectra {
 };
 
 /// One of them, or why it could not be read.
-struct FitInput {
+struct NamedSpectrum {
     std::string name;  ///< its file, with its column where several are named
     std::optional<Spectrum> spectrum;
     std::optional<InputError> refusal;
 };
 
 /// Reads each once. Throws InputError where it is not clear which column belongs to which file.
-[[nodiscard]] std::vector<FitInput> read_inputs(const NamedSpectra& named, MeasuredFiles& measured);
+[[nodiscard]] std::vector<NamedSpectrum> read_spectra_named(const NamedSpectra& named, MeasuredFiles& measured);
 
 /// Whether all are read, and their files state one specimen by name.
-[[nodiscard]] bool state_one_specimen(const std::vector<FitInput>& inputs);
+[[nodiscard]] bool state_one_specimen(const std::vector<NamedSpectrum>& spectra);
 
 }  // namespace skinfit

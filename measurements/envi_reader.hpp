@@ -15,18 +15,15 @@ namespace skinfit {
 /// By which `--reader` and messages call it.
 inline constexpr std::string_view envi_reader_name = "envi";
 
-/// True where `reader` is this one or, not given, the file is recognised as one of a cube's two.
-[[nodiscard]] bool is_cube(const std::filesystem::path& path, const std::optional<std::string>& reader);
-
 /// What the spectra of all pixels of `cube` share, without values: name, source, instrument, unit, wavelengths and
 /// bandpass, a Gaussian of the bands' mean `fwhm`.
 [[nodiscard]] Spectrum common_spectrum(const SpectralCube& cube);
 
-/// The spectra of an ENVI file, either file of which `path` may name: of a cube the one of `read_envi`, of a spectral
-/// library all (`library_spectra`). Throws InputError as these.
-[[nodiscard]] std::vector<Spectrum> read_envi_file(const std::filesystem::path& path, const ReadOptions& options = {});
+/// The spectra of an ENVI file: of a cube the one of `read_envi`, of a spectral library all (`library_spectra`). Throws
+/// InputError as these.
+[[nodiscard]] std::vector<Spectrum> read_envi_file(const EnviFiles& files, const ReadOptions& options = {});
 
-/// The mean spectrum of an ENVI cube, either file of which `path` may name, over the pixels of `options.region`. Its
+/// The mean spectrum of an ENVI cube over the pixels of `options.region`. Its
 /// sigma is the scatter of the pixels over the root of their number, the rest that of `common_spectrum`;
 /// notes state the pixels, the region, the unit of the wavelengths and the spread of `fwhm`, remarks what was left out.
 ///
@@ -35,6 +32,6 @@ inline constexpr std::string_view envi_reader_name = "envi";
 /// Throws InputError as `SpectralCube`, `CubeRegion` and `mean_spectrum`; when no band has a value other than 0; and
 /// for values that by the header's gains exceed `largest_fraction` and are not stated to be percent: they may be
 /// radiances.
-[[nodiscard]] Spectrum read_envi(const std::filesystem::path& path, const ReadOptions& options = {});
+[[nodiscard]] Spectrum read_envi(const EnviFiles& files, const ReadOptions& options = {});
 
 }  // namespace skinfit

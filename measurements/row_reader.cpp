@@ -194,16 +194,19 @@ private:
         std::optional<Unit> named = row.unit ? row.unit : values_stated(header_.labels.front()).unit;
         if (!named) named = header_.states.unit;
         if (!named) named = statements_.values.unit;
-        return {.option = options_.unit, .comment = description_.unit, .named = named};
+        return {.option = options_.unit, .comment = description_.unit, .named = named, .window = options_.window};
     }
 
-    /// The name of the first spectrum that is in percent, by its labels or by its values; empty where none is.
+    /// The name of the first spectrum that is in percent, by its labels or by its values in the window; empty where
+    /// none is.
     [[nodiscard]] std::string row_in_percent(const std::vector<ReadRow>& rows) const {
         for (const ReadRow& row : rows) {
             if (!row.spectrum.unusable.empty()) continue;
             const UnitStatements stated = unit_statements(row);
             if (stated.option || stated.comment) return {};
-            if (stated.named ? *stated.named == Unit::percent : shows_percent(row.values)) return row.spectrum.name;
+            const bool is_percent = stated.named ? *stated.named == Unit::percent
+                                                 : shows_percent(used_values(options_.window, grid_, row.values));
+            if (is_percent) return row.spectrum.name;
         }
         return {};
     }

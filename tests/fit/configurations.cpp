@@ -42,7 +42,7 @@ Configuration unusual() {
     c.base = Base{.kind = Base::Kind::index, .refractive_index = 1.45};
     c.incidence_deg = 45.5;
     c.specular = Specular::excluded;
-    c.instrument = "nist_sphere";
+    c.instrument = find_instrument("nist_sphere", "instrument");
     c.bandpass_shape = BandpassShape::rectangular;
     c.bandpass_width_nm = 3.5;
     c.quantity = Quantity::transmittance;
