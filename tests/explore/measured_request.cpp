@@ -21,7 +21,8 @@ const std::string specimen = SKINFIT_SOURCE_DIR "/measurements/data/ncsu_113.csv
 /// The specimen with `head` before its comments about geometry, which are left out.
 std::string stating(const std::string& head, const std::string& left_out = "# incidence_deg# specular") {
     std::string text = head;
-    for (const std::string_view line : split_lines(read_file(specimen))) {
+    const std::string whole = read_file(specimen);
+    for (const std::string_view line : split_lines(whole)) {
         const std::string key(line.substr(0, line.find(':')));
         if (line.starts_with('#') && left_out.find(key) != std::string::npos) continue;
         text += std::string(line) + "\n";
@@ -51,7 +52,8 @@ std::vector<std::string> all_kinds() {
 TEST_F(Drawing, IsTheModelOfTheFitWhateverTheFileStates) {
     for (const std::string& text : all_kinds()) {
         const Json file = file_of(ask("POST", "/api/spectra", text, "a.csv"));
-        const Json stated = {{"engine", "solver"}, {"starts", 1}, {"wavelengths", "400:700:5"}, {"free", {"melanosome_fraction"}}};
+        const Json stated = {
+            {"engine", "solver"}, {"starts", 1}, {"wavelengths", "400:700:5"}, {"free", {"melanosome_fraction"}}};
         const Answer started =
             post("/api/fit", {{"configuration", stated}, {"source", "a.csv"}, {"measured", file["measured"]}});
         ASSERT_EQ(started.status, 200) << started.json;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fit/configuration_json.hpp"
+#include "fit/critical_values.hpp"
 #include "fit/fit.hpp"
 #include "fit/parameter_words.hpp"
 #include "fit/prior.hpp"
