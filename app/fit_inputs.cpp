@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace skinfit {
 namespace {
@@ -24,11 +25,22 @@ void check(const NamedSpectra& named) {
     }
 }
 
+/// The name that a file gives to its only spectrum: not that of the file, and no word for what is measured, as which
+/// `skinfit convert` writes the name of a column. A column that is chosen among several is of a table of many
+/// specimens.
+std::string specimen_of(const Spectrum& spectrum, const ReadOptions& options) {
+    const bool is_of_file = spectrum.name == std::filesystem::path(spectrum.source).stem().string();
+    const bool is_quantity = std::ranges::find(quantity_names, spectrum.name) != quantity_names.end();
+    const bool is_place = spectrum.name.starts_with("line ");  // as readers call one that has no name
+    return options.column || is_of_file || is_quantity || is_place ? "" : spectrum.name;
+}
+
 NamedSpectrum read_named(const std::string& name, const std::string& file, const ReadOptions& options,
                          MeasuredFiles& measured) {
-    NamedSpectrum input{.name = name, .spectrum = {}, .refusal = {}};
+    NamedSpectrum input{.name = name, .specimen = {}, .spectrum = {}, .refusal = {}};
     try {
         input.spectrum = measured.spectrum(file, options);
+        input.specimen = specimen_of(*input.spectrum, options);
     } catch (const InputError& error) {
         input.refusal = error;
     }
@@ -54,11 +66,9 @@ std::vector<NamedSpectrum> read_spectra_named(const NamedSpectra& named, Measure
 }
 
 bool state_one_specimen(const std::vector<NamedSpectrum>& spectra) {
-    const auto specimen = [](const NamedSpectrum& input) { return input.spectrum ? input.spectrum->specimen : ""; };
-    const std::string first = specimen(spectra.front());
-    // A column's name, as `skinfit convert` writes it where the file states no specimen, is none.
-    if (first.empty() || std::ranges::find(quantity_names, first) != quantity_names.end()) return false;
-    return std::ranges::all_of(spectra, [&](const NamedSpectrum& each) { return specimen(each) == first; });
+    const std::string& first = spectra.front().specimen;
+    return !first.empty() &&
+           std::ranges::all_of(spectra, [&](const NamedSpectrum& each) { return each.specimen == first; });
 }
 
 }  // namespace skinfit

@@ -19,7 +19,8 @@ struct NamedSpectra {
 
 /// One of them, or why it could not be read.
 struct NamedSpectrum {
-    std::string name;  ///< its file, with its column where several are named
+    std::string name;      ///< its file, with its column where several are named
+    std::string specimen;  ///< as a file of one spectrum names it; empty where it does not
     std::optional<Spectrum> spectrum;
     std::optional<InputError> refusal;
 };
@@ -27,7 +28,7 @@ struct NamedSpectrum {
 /// Reads each once. Throws InputError where it is not clear which column belongs to which file.
 [[nodiscard]] std::vector<NamedSpectrum> read_spectra_named(const NamedSpectra& named, MeasuredFiles& measured);
 
-/// Whether all are read, and their files state one specimen by name.
+/// Whether all are read, and their files name one specimen.
 [[nodiscard]] bool state_one_specimen(const std::vector<NamedSpectrum>& spectra);
 
 }  // namespace skinfit

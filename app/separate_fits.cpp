@@ -70,7 +70,7 @@ std::string separate_fits_text(std::span<const SeparateFit> fits) {
     std::string text = fmt::format("{} spectra, each fitted by itself; --joint explains all by one specimen\n\n{}\n",
                                    fits.size(), aligned(rows));
     for (const SeparateFit& fit : fits) {
-        if (!fit.result) text += fmt::format("{}: {}\n", fit.file, fit.problem);
+        if (!fit.result) text += fmt::format("{}\n", fit.problem);
         if (!fit.result || fit.result->reasons.empty()) continue;
         text += fmt::format("{}:\n", fit.file);
         for (const std::string& reason : fit.result->reasons) text += fmt::format("  - {}\n", reason);

@@ -69,7 +69,7 @@ std::string label_description(const Word& label) {
     return text;
 }
 
-const Word* find(std::span<const Word> words, std::string_view name) {
+const Word* word_called(std::span<const Word> words, std::string_view name) {
     const auto found = std::ranges::find(words, name, &Word::name);
     return found == words.end() ? nullptr : &*found;
 }
@@ -79,7 +79,7 @@ std::string known_description(const std::string& name) {
     if (const std::optional<Parameter> parameter = find_parameter(name)) return parameter_description(info(*parameter));
     const auto setting = std::ranges::find(setting_table(), name, &Setting::name);
     if (setting != setting_table().end()) return setting_description(*setting);
-    const Word* const word = find(vocabulary(), name);
+    const Word* const word = word_called(vocabulary(), name);
     return word == nullptr ? "" : word_description(*word);
 }
 
@@ -87,11 +87,11 @@ std::string known_description(const std::string& name) {
 
 std::optional<std::string> description_of(std::string_view asked) {
     const std::string name = lower_case(asked);  // reports write some words in capitals
-    if (const Word* const label = find(labels(), name)) return label_description(*label);
-    if (std::string text = known_description(spelt(asked)); !text.empty()) return text;
+    if (const Word* const label = word_called(labels(), name)) return label_description(*label);
+    std::string text = known_description(spelt(asked));
     const std::span<const std::string_view> meant = everyday_names(asked);
-    if (meant.empty()) return std::nullopt;
-    std::string text = fmt::format("{}: everyday word for {}\n", asked, either(meant, "", ""));
+    if (meant.empty()) return text.empty() ? std::nullopt : std::optional(text);
+    text += fmt::format("{}: everyday word for {}\n", asked, either(meant, "", ""));
     for (const std::string_view each : meant) text += known_description(std::string(each));
     return text;
 }

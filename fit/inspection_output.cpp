@@ -50,9 +50,46 @@ Json geometry_json(const Geometry& geometry) {
             {"viewing_cone_deg", or_null(geometry.viewing_cone_deg)}};
 }
 
+/// "transmittance (leaf 1), reflectance (leaf 2)" where the spectra state different things of one kind; empty where
+/// they agree, or none states it. `word` gives what one of them states, or nothing.
+template <class Word>
+std::string differing(const std::vector<Spectrum>& spectra, const Word& word) {
+    std::vector<std::string> words;
+    std::vector<std::vector<std::string>> names;
+    for (const Spectrum& spectrum : spectra) {
+        const std::string stated = word(spectrum);
+        const auto known = std::ranges::find(words, stated);
+        const auto place = static_cast<std::size_t>(known - words.begin());
+        if (known == words.end()) {
+            words.push_back(stated);
+            names.emplace_back();
+        }
+        names[place].push_back(spectrum.name);
+    }
+    if (words.size() < 2) return {};
+    std::vector<std::string> parts;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        parts.push_back(fmt::format("{} ({})", words[i].empty() ? "not stated" : words[i], listed(names[i])));
+    }
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string quantity_of(const Spectrum& spectrum) {
+    return spectrum.quantity ? std::string(quantity_names.at(static_cast<std::size_t>(*spectrum.quantity))) : "";
+}
+
+std::string specular_of(const Spectrum& spectrum) {
+    const std::optional<Specular>& specular = spectrum.geometry.specular;
+    return specular ? fmt::format("specular {}", specular_names.at(static_cast<std::size_t>(*specular))) : "";
+}
+
 std::string geometry_text(const Inspection& inspection) {
     std::vector<std::string> parts;
     const Geometry& geometry = inspection.geometry;
+    for (const std::string& each :
+         {differing(inspection.file.spectra, quantity_of), differing(inspection.file.spectra, specular_of)}) {
+        if (!each.empty()) parts.push_back(each);
+    }
     if (inspection.quantity) parts.emplace_back(quantity_names.at(static_cast<std::size_t>(*inspection.quantity)));
     if (geometry.incidence_deg) parts.push_back(fmt::format("incidence {:g} deg", *geometry.incidence_deg));
     if (geometry.specular) {

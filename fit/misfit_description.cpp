@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fit/measurement.hpp"
+#include "fit/reading.hpp"
 #include "fit/runs_test.hpp"
 #include "model/angular_error.hpp"
 

@@ -66,9 +66,9 @@ std::string prior_words(const FitResult& result) {
     }
     if (names.empty()) return "";
     return fmt::format(
-        "DECIDED BY {} PRIOR: {}; the spectrum says less than the prior does, so value and interval are what was "
+        "{}: {}; the spectrum says less than the prior does, so value and interval are what was "
         "assumed, hardly what was measured",
-        names.size() == 1 ? "ITS" : "THEIR", fmt::join(names, ", "));
+        names.size() == 1 ? "DECIDED BY ITS PRIOR" : "DECIDED BY THEIR PRIORS", fmt::join(names, ", "));
 }
 
 ParameterWords parameter_words(const FittedParameter& free) {

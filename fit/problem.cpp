@@ -151,16 +151,19 @@ void check_shift(const Measurement& measurement, const FreeParameter& free) {
 }
 
 void check_specular_fraction(const FitProblem& problem, const FreeParameter& free) {
+    bool reflects = false;
     for (std::size_t number = 0; number < problem.measurements.size(); ++number) {
         const Measurement& measurement = problem.measurements[number];
-        const bool collects =
-            measurement.experiment.specular == Specular::excluded && measurement.quantity == Quantity::reflectance;
-        if (free.belongs_to(number) && collects) return;
+        if (!free.belongs_to(number) || measurement.quantity != Quantity::reflectance) continue;
+        if (measurement.experiment.specular == Specular::excluded) return;
+        reflects = true;
     }
     throw InputError({.where = key(free),
                       .problem = "has no effect",
-                      .why = "it scales the surface reflectance where specular is excluded",
-                      .remedy = "fix it, or set specular=excluded for a reflectance"});
+                      .why = reflects ? "it scales the surface reflectance where specular is excluded"
+                                      : "it scales the surface reflectance, and what was transmitted holds none",
+                      .remedy = reflects ? "fix it (--fix specular_fraction), or set specular=excluded"
+                                         : "fix it (--fix specular_fraction)"});
 }
 
 /// What depends on the measurements in which a parameter is free.

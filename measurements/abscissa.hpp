@@ -16,6 +16,7 @@ struct Abscissa {
     std::string unusable{};      ///< the words by which they are no wavelengths at all, as `Raman shift (cm-1)`
     bool named_by_unit = false;  ///< a unit was stated, not only the word wavelength
 
+    /// Whether the numbers are wavelengths in nm as they stand.
     [[nodiscard]] bool is_nm() const { return nm_per_unit == 1 && unusable.empty(); }
 };
 

@@ -52,8 +52,7 @@ struct GlancedTable {
 GlancedTable glance(const Columns& columns, std::span<const std::size_t> wanted) {
     GlancedTable found{.table = {.width = wanted.size(),
                                  .cells = std::vector<double>(wanted.size() * columns.rows.size()),
-                                 .holds_words = std::vector<bool>(wanted.size(), true),
-                                 .fill = std::vector<std::optional<double>>(wanted.size())},
+                                 .holds_words = std::vector<bool>(wanted.size(), true)},
                        .decimal_comma = has_decimal_commas(columns, wanted),
                        .first_word = std::vector<std::optional<CellWord>>(wanted.size())};
     NumberTable& table = found.table;
@@ -64,15 +63,13 @@ GlancedTable glance(const Columns& columns, std::span<const std::size_t> wanted)
         for (std::size_t i = 0; i < wanted.size(); ++i, ++next) {
             const std::string_view cell = cells[wanted[i]];
             const std::optional<double> number = parse_cell(cell, found.decimal_comma);
-            if (number && std::isfinite(*number) && !is_fill_number(*number)) {
+            if (number && std::isfinite(*number)) {
                 *next = *number;
                 if (table.holds_words[i]) table.holds_words[i] = false;
                 continue;
             }
             *next = std::numeric_limits<double>::quiet_NaN();
-            if (number && std::isfinite(*number)) {
-                if (!table.fill[i]) table.fill[i] = number;
-            } else if (!found.first_word[i] && !is_missing(cell)) {
+            if (!found.first_word[i] && !is_missing(cell)) {
                 found.first_word[i] = CellWord{.line = row.line, .cell = cell};
             }
         }
@@ -88,14 +85,6 @@ std::optional<double> parse_cell(std::string_view cell, bool decimal_comma) {
     std::string text(cell);
     if (const std::size_t comma = text.find(','); comma != std::string::npos) text[comma] = '.';
     return parse_number(text);
-}
-
-std::optional<double> parse_reading(std::string_view cell, bool decimal_comma) {
-    const std::optional<double> number = parse_cell(cell, decimal_comma);
-    const bool is_finite = number && std::isfinite(*number);
-    if (is_finite && !is_fill_number(*number)) return number;
-    if (is_finite || is_missing(cell)) return std::numeric_limits<double>::quiet_NaN();
-    return std::nullopt;
 }
 
 void refuse_cell(const std::string& where, const std::string& name, std::string_view cell, bool decimal_comma) {
@@ -137,13 +126,13 @@ std::vector<std::vector<double>> read_numbers(const Columns& columns, std::span<
 }
 
 NumberTable read_number_table(const Columns& columns, std::span<const std::size_t> wanted) {
-    auto [table, decimal_comma, first_word] = glance(columns, wanted);
+    GlancedTable glanced = glance(columns, wanted);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-        if (table.holds_words[i] || !first_word[i]) continue;
-        refuse_cell(at_line(columns, first_word[i]->line), label(columns, wanted[i]), first_word[i]->cell,
-                    decimal_comma);
+        const std::optional<CellWord>& word = glanced.first_word[i];
+        if (glanced.table.holds_words[i] || !word) continue;
+        refuse_cell(at_line(columns, word->line), label(columns, wanted[i]), word->cell, glanced.decimal_comma);
     }
-    return std::move(table);
+    return {std::move(glanced.table)};
 }
 
 NumberTable glance_at_numbers(const Columns& columns, std::span<const std::size_t> wanted) {

@@ -14,10 +14,6 @@ namespace skinfit {
 /// The cell's number, finite or not, if it is one. With a decimal comma, a point makes it none.
 [[nodiscard]] std::optional<double> parse_cell(std::string_view cell, bool decimal_comma);
 
-/// The cell's reading: its number; NaN where it is missing or holds a number that stands for that (`is_fill_number`);
-/// nothing where it is neither.
-[[nodiscard]] std::optional<double> parse_reading(std::string_view cell, bool decimal_comma);
-
 /// Throws InputError for a cell that is missing, no number or not finite; `name` is that of its column.
 [[noreturn]] void refuse_cell(const std::string& where, const std::string& name, std::string_view cell,
                               bool decimal_comma);
@@ -31,12 +27,11 @@ namespace skinfit {
 [[nodiscard]] std::vector<std::vector<double>> read_numbers(const Columns& columns,
                                                             std::span<const std::size_t> wanted);
 
-/// The numbers in some columns, row after row. NaN stands for missing readings (`parse_reading`).
+/// The numbers in some columns, row after row. NaN stands for missing cells (`is_missing`).
 struct NumberTable {
     std::size_t width = 0;
     std::vector<double> cells;
-    std::vector<bool> holds_words;              ///< for each column: it holds words, or nothing, and no number at all
-    std::vector<std::optional<double>> fill{};  ///< for each column: the first number that stands for a missing one
+    std::vector<bool> holds_words;  ///< for each column: it holds words, or nothing, and no number at all
 };
 
 /// The same where cells may be missing, and where columns of words may stand beside those of numbers. A column with

@@ -60,14 +60,14 @@ std::vector<double> glance_at_wavelengths(const DescribedTable& table, std::size
     return wavelengths_nm(table.plan.columns[column].abscissa, numbers.cells);
 }
 
-/// The name of the first column that is in percent, by its name or by its values in the window; empty where none is.
+/// The name of the first column whose values in the window show that the table is in percent, where no word states it;
+/// empty where none does.
 std::string column_in_percent(const DescribedTable& table, const ReadOptions& options) {
     std::vector<std::size_t> unstated;
     for (std::size_t c = 0; c < table.plan.columns.size(); ++c) {
         if (table.plan.columns[c].role != ColumnRole::value) continue;
         const UnitStatements stated = unit_statements(table, c, options);
         if (stated.option || stated.comment) return {};
-        if (stated.named == Unit::percent) return table.plan.label(c);
         if (!stated.named) unstated.push_back(c);
     }
     if (unstated.size() < 2) return {};
@@ -77,7 +77,9 @@ std::string column_in_percent(const DescribedTable& table, const ReadOptions& op
     for (std::size_t i = 0; i < unstated.size(); ++i) {
         const std::size_t axis = table.plan.columns[unstated[i]].wavelength;
         if (!wavelengths.contains(axis)) wavelengths[axis] = glance_at_wavelengths(table, axis);
-        if (shows_percent(used_values(options.window, wavelengths[axis], store.column(i)))) {
+        std::vector<double> values = store.column(i);
+        (void)take_out_fill_numbers(values);
+        if (shows_percent(used_values(options.window, wavelengths[axis], values))) {
             return table.plan.label(unstated[i]);
         }
     }
@@ -181,11 +183,11 @@ public:
             if (numbers.holds_words[value_at]) continue;
             if (sigma_at && numbers.holds_words[*sigma_at])
                 (void)read_numbers(table_.columns, std::array{*choice.sigma});
-            const std::vector<double> value = store.column(value_at);
+            std::vector<double> value = store.column(value_at);
+            const std::optional<double> fill = take_out_fill_numbers(value);
             spectra.push_back(read(choice, value, sigma_at ? store.column(*sigma_at) : std::vector<double>{}));
-            if (numbers.fill[value_at]) {
-                spectra.back().remarks.push_back(
-                    fmt::format("readings of {} stand for missing values", *numbers.fill[value_at]));
+            if (fill) {
+                spectra.back().remarks.push_back(fmt::format("readings of {} stand for missing values", *fill));
             }
         }
         if (spectra.empty()) (void)read_numbers(table_.columns, std::array{choices_.front().value});

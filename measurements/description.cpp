@@ -150,7 +150,6 @@ Description read_description(const std::string& source, std::span<const Comment>
 Spectrum spectrum_of(const Description& description) {
     Spectrum spectrum;
     spectrum.name = description.specimen;
-    spectrum.specimen = description.specimen;
     spectrum.quantity = description.quantity;
     spectrum.geometry = description.geometry;
     spectrum.notes = description.notes;

@@ -135,7 +135,7 @@ Spectrum common_spectrum(const SpectralCube& cube) {
     return spectrum;
 }
 
-std::vector<Spectrum> read_envi_file(const EnviFiles& files, const ReadOptions& options) {
+std::vector<Spectrum> read_envi(const EnviFiles& files, const ReadOptions& options) {
     const SpectralCube cube(files, options.unit);
     if (!cube.header().spectral_library) return {mean_of(cube, options)};
     if (options.region.mask || options.region.rectangle) {
@@ -145,10 +145,6 @@ std::vector<Spectrum> read_envi_file(const EnviFiles& files, const ReadOptions& 
                           .remedy = "leave the mask and the rectangle out"});
     }
     return library_spectra(cube, options.window);
-}
-
-Spectrum read_envi(const EnviFiles& files, const ReadOptions& options) {
-    return mean_of(SpectralCube(files, options.unit), options);
 }
 
 }  // namespace skinfit

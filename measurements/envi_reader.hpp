@@ -19,19 +19,16 @@ inline constexpr std::string_view envi_reader_name = "envi";
 /// bandpass, a Gaussian of the bands' mean `fwhm`.
 [[nodiscard]] Spectrum common_spectrum(const SpectralCube& cube);
 
-/// The spectra of an ENVI file: of a cube the one of `read_envi`, of a spectral library all (`library_spectra`). Throws
-/// InputError as these.
-[[nodiscard]] std::vector<Spectrum> read_envi_file(const EnviFiles& files, const ReadOptions& options = {});
-
-/// The mean spectrum of an ENVI cube over the pixels of `options.region`. Its
-/// sigma is the scatter of the pixels over the root of their number, the rest that of `common_spectrum`;
-/// notes state the pixels, the region, the unit of the wavelengths and the spread of `fwhm`, remarks what was left out.
+/// The spectra of an ENVI file: of a spectral library all (`library_spectra`), of a cube the mean over the pixels of
+/// `options.region`. Its sigma is the scatter of the pixels over the root of their number, the rest that of
+/// `common_spectrum`; notes state the pixels, the region, the unit of the wavelengths and the spread of `fwhm`, remarks
+/// what was left out.
 ///
 /// Unit: `SpectralCube`; where neither the header nor an option states one, `find_unit` for the mean.
 ///
-/// Throws InputError as `SpectralCube`, `CubeRegion` and `mean_spectrum`; when no band has a value other than 0; and
-/// for values that by the header's gains exceed `largest_fraction` and are not stated to be percent: they may be
-/// radiances.
-[[nodiscard]] Spectrum read_envi(const EnviFiles& files, const ReadOptions& options = {});
+/// Throws InputError as `SpectralCube`, `CubeRegion` and `mean_spectrum`; when no band has a value other than 0; for
+/// values that by the header's gains exceed `largest_fraction` and are not stated to be percent: they may be radiances;
+/// and for a region of a library.
+[[nodiscard]] std::vector<Spectrum> read_envi(const EnviFiles& files, const ReadOptions& options = {});
 
 }  // namespace skinfit

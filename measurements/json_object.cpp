@@ -38,8 +38,7 @@ std::vector<double> numbers(const JsonObject& object, std::string_view name, con
     for (const Json& element : array) {
         if (!element.is_number() && !element.is_null())
             refuse_json(object, name, element, "a number or null is needed");
-        const double each = element.is_null() ? std::numeric_limits<double>::quiet_NaN() : element.get<double>();
-        found.push_back(is_fill_number(each) ? std::numeric_limits<double>::quiet_NaN() : each);
+        found.push_back(element.is_null() ? std::numeric_limits<double>::quiet_NaN() : element.get<double>());
     }
     return found;
 }

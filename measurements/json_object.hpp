@@ -41,7 +41,7 @@ struct JsonObject {
 /// The text called `name`; empty where there is none.
 [[nodiscard]] std::string text(const JsonObject& object, std::string_view name);
 
-/// The numbers of a list; NaN stands for null and for numbers that stand for missing ones (`is_fill_number`).
+/// The numbers of a list; NaN stands for null.
 [[nodiscard]] std::vector<double> numbers(const JsonObject& object, std::string_view name, const Json& array);
 
 /// The list called `name`, of `count` numbers; empty where there is none.

@@ -145,6 +145,7 @@ Spectrum spectrum_of(const JsonObject& object, const std::string& source, const 
     const FileStatements statements = statements_of(object);
     std::vector<double> value = numbers(object, values_name, *values);
     std::vector<double> sigma = numbers(object, "sigma", value.size());
+    const std::optional<double> fill = take_out_fill_numbers(value);
     for (double& each : value) each *= statements.factor;
     for (double& each : sigma) each *= statements.factor;
     const Abscissa abscissa = statements.abscissa.value_or(Abscissa{});
@@ -164,6 +165,7 @@ Spectrum spectrum_of(const JsonObject& object, const std::string& source, const 
             fmt::format("{} is neither reflectance nor transmittance", in_quotes(statements.values.unusable));
     }
     spectrum.remarks = statements.remarks;
+    if (fill) spectrum.remarks.push_back(fmt::format("readings of {} stand for missing values", *fill));
     take_readings(spectrum, grid, {.value = value, .sigma = sigma},
                   {.option = options.unit,
                    .comment = word<Unit>(object, "unit", unit_names),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -124,18 +125,19 @@ private:
         spectrum.source = source_;
         spectrum.line = line;
         spectrum.remarks = statements_.remarks;
-        std::optional<double> fill;
         for (std::size_t i = 0; i < header_.numbers.size(); ++i) {
             const std::string_view cell = cells[header_.first_value + i];
-            const std::optional<double> reading = parse_reading(cell, decimal_comma_);
-            if (!reading) {
+            const std::optional<double> number = parse_cell(cell, decimal_comma_);
+            const bool usable = number && std::isfinite(*number);
+            if (!usable && !is_missing(cell)) {
                 refuse_cell(fmt::format("{}:{}", source_, line),
                             fmt::format("the value at {} nm", header_.wavelength_nm()[i]), cell, decimal_comma_);
             }
-            if (std::isnan(*reading) && !is_missing(cell)) fill = parse_cell(cell, decimal_comma_);
-            row.values.push_back(*reading);
+            row.values.push_back(usable ? *number : std::numeric_limits<double>::quiet_NaN());
         }
-        if (fill) spectrum.remarks.push_back(fmt::format("readings of {} stand for missing values", *fill));
+        if (const auto fill = take_out_fill_numbers(row.values)) {
+            spectrum.remarks.push_back(fmt::format("readings of {} stand for missing values", *fill));
+        }
         take_labels(row, cells, line);
         return row;
     }
@@ -197,16 +199,15 @@ private:
         return {.option = options_.unit, .comment = description_.unit, .named = named, .window = options_.window};
     }
 
-    /// The name of the first spectrum that is in percent, by its labels or by its values in the window; empty where
-    /// none is.
+    /// The name of the first spectrum whose values in the window show that the table is in percent, where no word
+    /// states it; else empty.
     [[nodiscard]] std::string row_in_percent(const std::vector<ReadRow>& rows) const {
         for (const ReadRow& row : rows) {
             if (!row.spectrum.unusable.empty()) continue;
             const UnitStatements stated = unit_statements(row);
             if (stated.option || stated.comment) return {};
-            const bool is_percent = stated.named ? *stated.named == Unit::percent
-                                                 : shows_percent(used_values(options_.window, grid_, row.values));
-            if (is_percent) return row.spectrum.name;
+            if (stated.named) continue;
+            if (shows_percent(used_values(options_.window, grid_, row.values))) return row.spectrum.name;
         }
         return {};
     }

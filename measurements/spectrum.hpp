@@ -52,7 +52,6 @@ struct RepeatedWavelength {
 struct Spectrum {
     std::string name;                   ///< of the specimen: as its file says, else the column chosen, else the file
     std::string source;                 ///< the file it came from
-    std::string specimen{};             ///< as its file states it for all that it holds; empty where it does not
     std::vector<double> wavelength_nm;  ///< at least one, in [100, 10000], ascends; may repeat
     std::vector<double> value;          ///< finite fractions, one per wavelength; `read_spectrum` checks their range
     std::vector<double> sigma;          ///< standard uncertainty of `value`, as given; empty where not given

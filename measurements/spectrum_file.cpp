@@ -174,9 +174,8 @@ SpectrumFile parse_spectra(std::string_view text, const std::string& source, con
 
 SpectrumFile spectra_in(const OpenedSpectra& opened, const ReadOptions& options) {
     if (!opened.cube) return parse_spectra(opened.text, opened.source, options, opened.reader);
-    SpectrumFile file{.source = opened.source,
-                      .format = std::string(envi_reader_name),
-                      .spectra = read_envi_file(*opened.cube, options)};
+    SpectrumFile file{
+        .source = opened.source, .format = std::string(envi_reader_name), .spectra = read_envi(*opened.cube, options)};
     if (options.column) file.spectra = {choose_spectrum(std::move(file.spectra), file.source, *options.column)};
     return with_printable_words(std::move(file));
 }

@@ -40,14 +40,12 @@ void refuse_repeated(const Spectrum& spectrum);
 /// Reads the one spectrum of a file, or the one that `options.column` names, in any form that `read_spectra` knows;
 /// `reader` overrides the recognition of the form.
 ///
-/// In columns, the first holds the wavelengths. `split_columns` states the dialects, `read_numbers` where a comma is a
-/// decimal mark; cells of columns that are not chosen are not read. A column called `sigma`, or `<column>_sigma`, is
-/// the standard uncertainty of the values, in their unit. Comments `# key: value` with the keys of `Description`
-/// describe the measurement, as in `measurements/data/`. A column whose name contains "transmittance" or "reflectance"
-/// states its quantity, whatever the comments say. Lines may come in any order.
+/// In columns, `split_columns` states the dialects, `plan_table` which column holds what, `read_numbers` where a comma
+/// is a decimal mark; cells of columns that are not chosen are read for the unit alone. Comments `# key: value` with
+/// the keys of `Description` describe the measurement, as in `measurements/data/`; `statements_in` says what other
+/// lines state. What the name of a column states goes before that. Lines may come in any order.
 ///
-/// Unit: `find_unit`, with the names of the wavelengths' and the chosen column as its header. Missing values are left
-/// out and counted.
+/// Unit: `find_unit`. Missing values are left out and counted.
 ///
 /// Throws InputError for a file that is missing, empty, binary, holds a word where a number is needed or a number that
 /// is not finite, lacks a wavelength, has several spectra and none chosen, wavelengths outside [100, 10000] nm, or, in

@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/text.hpp"
@@ -45,6 +46,16 @@ bool is_fill_number(double number) {
     if (number > -90 && number < 9000) return false;
     constexpr double beyond_any_reading = 1e19;
     return std::abs(number) >= beyond_any_reading || std::ranges::find(numbers, number) != numbers.end();
+}
+
+std::optional<double> take_out_fill_numbers(std::span<double> values) {
+    std::optional<double> first;
+    for (double& value : values) {
+        if (!is_fill_number(value)) continue;
+        if (!first) first = value;
+        value = std::numeric_limits<double>::quiet_NaN();
+    }
+    return first;
 }
 
 std::string plain_text(std::string_view text) {

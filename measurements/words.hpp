@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +19,9 @@ namespace skinfit {
 /// True for a number that programs write where there is none, and that no reading is: -999, -9999 and the like, the
 /// extremes of integers, and anything beyond 1e19 either way, as NetCDF's 9.97e36 or the -1.23e34 of the USGS.
 [[nodiscard]] bool is_fill_number(double number);
+
+/// Makes such numbers NaN, and gives the first of them.
+std::optional<double> take_out_fill_numbers(std::span<double> values);
 
 /// In lower case, with the signs that stand for letters, digits or blanks as these: `\u00b5` as u, `\u207b\u00b9` as
 /// -1,

@@ -64,7 +64,7 @@ void add_azimuth_mean(double x, double angle, double weight, const PanelBasis& b
 /// The mean of each function of the basis, without its norm, over all azimuths and the polar angles from `first` to
 /// `last`.
 Eigen::RowVectorXd deflection_mean(double x, double first, double last, const PanelBasis& basis) {
-    static const Quadrature rule = gauss_legendre(5);
+    static const Quadrature rule = gauss_legendre(6);
     // Where the cone of deflected rays touches a panel's edge, the azimuths in the panel change with a square root.
     std::vector<double> ends = {first, last};
     const double polar = std::acos(std::min(x, 1.0));

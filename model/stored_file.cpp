@@ -99,7 +99,7 @@ std::variant<StoredData, Unusable> read_stored_file(const std::filesystem::path&
                                                     std::string_view key) {
     const std::variant<MappedFile, Unusable> mapped = map_file(path);
     if (const auto* const unusable = std::get_if<Unusable>(&mapped)) return *unusable;
-    const auto& file = std::get<MappedFile>(mapped);
+    const MappedFile& file = std::get<MappedFile>(mapped);
     const std::string_view bytes(file.data.get(), file.size);
     FileHeader header{};
     if (bytes.size() < sizeof header + sizeof(std::uint64_t)) return Unusable{"truncated"};

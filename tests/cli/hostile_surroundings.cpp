@@ -55,6 +55,7 @@ protected:
     [[nodiscard]] fs::path cache() const { return folder().parent_path() / "cache"; }
     [[nodiscard]] int half_written() const {
         int count = 0;
+        if (!fs::exists(cache())) return count;
         for (const auto& entry : fs::directory_iterator(cache())) count += is_partial(entry.path()) ? 1 : 0;
         return count;
     }

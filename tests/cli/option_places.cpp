@@ -47,11 +47,15 @@ Given parsed(const Words& called, const Words& words) {
     Session session{.command_line = "", .interrupt = interrupt};
     const std::unique_ptr<CLI::App> app = make_program(session);
     CLI::App& command = command_of(*app, called);
-    command.callback([] {});
+    // Its own callback holds the fields of its options, so that it has to stay; this one ends before it runs.
+    command.parse_complete_callback([] { throw CLI::Success(); });
     Words line = called;
     line.insert(line.end(), words.begin(), words.end());
     std::ranges::reverse(line);
-    app->parse(line);
+    try {
+        app->parse(line);
+    } catch (const CLI::Success&) {
+    }
     Given given;
     for (const CLI::Option* option : std::as_const(command).get_options()) {
         if (option->count() > 0) given[option->get_name(option->get_positional())] = option->results();

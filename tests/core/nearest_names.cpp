@@ -25,7 +25,7 @@ TEST(NearestNames, EverydayWordsStandForWhatTheyAreCalledHere) {
 TEST(NearestNames, PartsAndSlipsAreFound) {
     EXPECT_THAT(meant_names("melanosome", known), ElementsAre("melanosome_fraction"));
     EXPECT_THAT(meant_names("oxygen_saturaton", known), ElementsAre("oxygen_saturation"));
-    EXPECT_THAT(meant_names("sclae", known), ElementsAre("scale"));
+    EXPECT_THAT(meant_names("scalle", known), ElementsAre("scale"));
     EXPECT_THAT(meant_names("xyzzy", known), IsEmpty());
     EXPECT_THAT(meant_names("a", known), IsEmpty());
 }

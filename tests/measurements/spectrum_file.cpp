@@ -11,7 +11,8 @@ using Numbers = std::vector<double>;
 
 TEST(SpectrumFile, HoldsEveryColumnOfValuesWithItsOwnUncertainty) {
     const SpectrumFile file = parse_spectra(
-        "# specimen: arm\n# site: inside\nnm,left,right,left_sigma,remark\n410,0.2,,0.02,\n400,0.1,30,0.01,wet\n", "a");
+        "# specimen: arm\n# site: inside\nnm,left,right,left_sigma,remark\n410,0.2,,0.02,\n400,0.1,0.3,0.01,wet\n",
+        "a");
     EXPECT_EQ(file.source, "a");
     EXPECT_EQ(file.format, "columns");
     ASSERT_EQ(file.spectra.size(), 2U) << "a column of words is no spectrum";

@@ -104,7 +104,7 @@ TEST(TextReaderRefuses, ValuesThatAreNoFractions) {
 }
 
 TEST(TextReaderRefuses, UncertaintiesThatAreNotAboveZero) {
-    expect_refusal({"nm,R,sigma\n400,0.5,0\n", "a.csv:2", "sigma is 0 at 400 nm"});
+    expect_refusal({"nm,R,sigma\n400,0.5,0\n410,0.5,0.1\n", "a.csv:2", "sigma is 0 at 400 nm"});
     expect_refusal({"nm,R,R_sigma\n400,0.5,-0.1\n", "a.csv:2", "R_sigma is -0.1 at 400 nm"});
     expect_refusal({"nm,R,sigma\n400,0.5,1e-155\n", "a.csv:2", "sigma is 1e-155 at 400 nm"});
     expect_refusal({"nm,R,sigma\n400,0.5,1e155\n", "a.csv:2", "sigma is 1e+155 at 400 nm"});

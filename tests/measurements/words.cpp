@@ -17,8 +17,9 @@ TEST(InQuotes, CutsNoCharacterOfUtf8InTwo) {
 }
 
 TEST(IsMissing, HoldsForNothingAndForTheUsualMarks) {
-    for (const std::string_view cell : {"", "NaN", "nan", "NA", "n/a"}) EXPECT_TRUE(is_missing(cell)) << cell;
-    for (const std::string_view cell : {"0", "-", "nano", "inf"}) EXPECT_FALSE(is_missing(cell)) << cell;
+    for (const std::string_view cell : {"", "NaN", "nan", "NA", "n/a", "-", "inf", "#N/A", "1.#QNAN", "-1.#IND00"})
+        EXPECT_TRUE(is_missing(cell)) << cell;
+    for (const std::string_view cell : {"0", "-1", "nano", "info", "#1", "1.#"}) EXPECT_FALSE(is_missing(cell)) << cell;
 }
 
 TEST(StartsLikeANumber, HoldsForNumbersAndSlipsInThem) {

@@ -44,7 +44,8 @@ TEST_P(EverySample, DerivativesMatchDifferences) {
     const AngularResponse response = solver(skin).respond(wavelength_nm);
     for (const ParameterInfo& row : parameter_table()) {
         const auto p = static_cast<std::size_t>(row.parameter);
-        const double step = 1e-4 * value_of({.skin = skin, .instrument = {}}, row.parameter);
+        // Small, since the tables of scattering angles have knots, at which a share bends.
+        const double step = 1e-5 * value_of({.skin = skin, .instrument = {}}, row.parameter);
         const auto at = [&](double change) {
             ParameterValues values{.skin = skin, .instrument = {}};
             value_of(values, row.parameter) += change;

@@ -65,7 +65,7 @@ TEST_P(EveryEmulator, StaysWithinItsCertifiedErrorOfTheSolver) {
                 EXPECT_NEAR(shares[i].share, expected, emulator.certified_error(i));
             }
         }
-        constexpr double promised = 1e-4;
+        constexpr double promised = 2e-4;  // of the emulator and of the solver together
         EXPECT_LE(emulator.certified_error(), promised);
     }
 }
@@ -151,7 +151,7 @@ TEST(Emulator, CoversEveryParameterThatAbsorbs) {
         domain.ranges.push_back({parameter, info(parameter).lower, info(parameter).upper});
     }
     const Emulator emulator = Emulator::build(domain);
-    constexpr double promised = 1e-4;
+    constexpr double promised = 2e-4;  // of the emulator and of the solver together
     EXPECT_LE(emulator.certified_error(), promised);
     const AngularSolver solver(domain.sample, {.incidence_rad = domain.incidence_rad});
     for (int number = 1; number <= 20; ++number) {

@@ -57,7 +57,9 @@ Outcome studied(const std::string& uncertainty, std::size_t subjects) {
     std::vector<LedgerRow> rows;
     Outcome outcome;
     for (const SimulatedSubject& subject : simulated.subjects) {
-        Spectrum spectrum{.name = std::to_string(subject.number), .source = "simulated"};
+        Spectrum spectrum;
+        spectrum.name = std::to_string(subject.number);
+        spectrum.source = "simulated";
         spectrum.wavelength_nm = simulated.wavelength_nm;
         spectrum.value = subject.reading.front();
         LedgerRow row;

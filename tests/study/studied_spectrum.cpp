@@ -4,8 +4,8 @@
 
 #include <stdexcept>
 
-#include "study/study_tasks.hpp"
 #include "fit/prior_json.hpp"
+#include "study/study_tasks.hpp"
 #include "tests/study/example_rows.hpp"
 
 namespace skinfit {

@@ -116,7 +116,7 @@ export function App({vocabulary}: {vocabulary: Vocabulary}) {
                     <legend class="hidden">Edition of the model</legend>
                     {(vocabulary.schema.properties["edition"]?.enum ?? []).map(String).map((edition) => (
                         <label title={vocabulary.schema.properties["edition"]?.description}>
-                            <input type="radio" name="edition" value={edition} checked={(drawn?.models[0]?.measurement["edition"] ?? vocabulary.configuration["edition"]) === edition}
+                            <input type="radio" name="edition" value={edition} checked={(model.settings["edition"] ?? drawn?.models[0]?.measurement["edition"] ?? vocabulary.configuration["edition"]) === edition}
                                 onChange={() => setEdition(edition)} />
                             <span>{edition}</span>
                         </label>
