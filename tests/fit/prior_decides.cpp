@@ -21,9 +21,10 @@ Configuration stated(const std::string& text) {
 /// A spectrum of twelve wavelengths that tells next to nothing, fitted as `text` says.
 FitResult uninformed(const std::string& text, const std::string& uncertainty) {
     const Configuration configuration =
-        configured_by_text(stated(text), R"({"noise": 1, "uncertainty": ")" + uncertainty + "\"}", "test.json");
-    return fit_spectrum(configuration, modelled_spectrum(quick_configuration(), grid_nm(400, 700, 25)),
-                        {.cache = no_cache()});
+        configured_by_text(stated(text), R"({"uncertainty": ")" + uncertainty + "\"}", "test.json");
+    Spectrum spectrum = modelled_spectrum(quick_configuration(), grid_nm(400, 700, 25));
+    spectrum.sigma.assign(spectrum.value.size(), 1000.0);
+    return fit_spectrum(configuration, spectrum, {.cache = no_cache()});
 }
 
 const char* const three_kinds = R"({"free": ["bilirubin_g_per_l", "oxygen_saturation", "offset"], "priors": {

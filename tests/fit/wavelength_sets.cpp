@@ -19,7 +19,7 @@ TEST(Wavelengths, GridIncludesItsLast) {
 
 TEST(Wavelengths, FineGridIncludesItsLastExactly) {
     for (const auto& [text, count] : {std::pair{"400:700:0.1", 3001U}, std::pair{"400:700:0.3", 1001U},
-                                      std::pair{"400:700:0.7", 429U}, std::pair{"380:730:0.01", 35001U}}) {
+                                      std::pair{"400:700:0.7", 429U}, std::pair{"380:730:0.05", 7001U}}) {
         const std::vector<double> grid = parsed(text);
         ASSERT_EQ(grid.size(), count) << text;
         EXPECT_EQ(grid.front(), text[0] == '4' ? 400 : 380);

@@ -90,7 +90,9 @@ TEST(JcampStatements, RecordsThatContradictTheDataAreAWarning) {
         EXPECT_EQ(spectrum.value, (Numbers{0.1, 0.25, 0.375}));
         const std::optional<Finding> finding = doubtful_file(spectrum);
         EXPECT_EQ(finding.has_value(), !each.remark.empty()) << each.records;
-        if (finding) EXPECT_TRUE(contains_text(finding->message, each.remark)) << finding->message;
+        if (finding) {
+            EXPECT_TRUE(contains_text(finding->message, each.remark)) << finding->message;
+        }
     }
     const Spectrum shifted = only(jcamp("NM", "R", steps + "##XYDATA= (X++(Y..Y))\n410 100 250 375\n"));
     ASSERT_TRUE(doubtful_file(shifted));

@@ -21,7 +21,7 @@ struct PaperValue {
 };
 
 std::vector<PaperValue> paper_values() {
-    const std::string text = read_file(SKINFIT_SOURCE_DIR "/tests/data/ka04_values.csv");
+    const std::string text = read_file(SKINFIT_SOURCE_DIR "/tests/validation/ka04_values.csv");
     std::vector<PaperValue> values;
     for (const std::string_view line : split_lines(text)) {
         if (line.starts_with('#') || line.starts_with("place,")) continue;
