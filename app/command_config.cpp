@@ -26,7 +26,7 @@ void add_config_command(CLI::App& app, Session& session) {
     check->add_option("FILE", *file, "JSON file")->required();
     add_examples(*check, {"skinfit config check configs/ncsu_45_0.json"});
     check->callback([file, &session] {
-        check_configuration(configured_by_text(default_configuration(), read_file(*file), *file), *file);
+        check_configuration(configured_by_text(default_configuration(), read_input(*file), *file), *file);
         write_stdout(fmt::format("{}: good\n", *file));
         session.exit_code = trustworthy_result;
     });

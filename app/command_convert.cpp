@@ -8,6 +8,7 @@
 #include "app/shared_options.hpp"
 #include "core/input_error.hpp"
 #include "fit/configuration_json.hpp"
+#include "fit/inspection.hpp"
 #include "fit/settings.hpp"
 #include "measurements/spectrum_file.hpp"
 #include "measurements/spectrum_writer.hpp"
@@ -31,9 +32,8 @@ std::string format_of(const ConvertCommand& command) {
 }
 
 /// The spectra chosen, or all of them.
-std::vector<Spectrum> spectra_of(const ConvertCommand& command, const Session& session) {
-    MeasuredFiles measured(command.reader, session.quiet);
-    ReadOptions options{.region = region_from(command.region)};
+std::vector<Spectrum> spectra_of(const ConvertCommand& command, MeasuredFiles& measured) {
+    ReadOptions options{.region = region_from(command.region), .window = usual_window()};
     if (!command.unit.empty()) {
         options.unit = configured_by_word(default_configuration(), "unit", command.unit, "--unit").unit;
     }
@@ -52,8 +52,10 @@ int run(const ConvertCommand& command, Session& session) {
     check_output(shared, files_read(command.file, command.region));
     std::optional<ProgressLine> line;  // not over what is typed
     if (!is_standard_input(command.file)) line.emplace(session, "reading");
-    const std::vector<Spectrum> spectra = spectra_of(command, session);
+    MeasuredFiles measured(command.reader, session.quiet);
+    const std::vector<Spectrum> spectra = spectra_of(command, measured);
     line.reset();
+    check_output(shared, measured.files_of_cubes());
     write_output(shared, format_of(command) == "json" ? spectra_json(spectra) : spectra_csv(spectra, command.file));
     return trustworthy_result;
 }

@@ -10,6 +10,7 @@
 #include "core/input_error.hpp"
 #include "explore/page.hpp"
 #include "explore/server.hpp"
+#include "fit/inspection.hpp"
 #include "measurements/spectrum_file.hpp"
 
 namespace skinfit {
@@ -34,8 +35,9 @@ int run(const ExploreCommand& command, Session& session) {
     (void)session.stop_on_interrupt("");
     const auto limit = thread_limit(command.shared);
     ProgressLine line(session, "reading");
-    Api api(cache_from(command.shared, line),
-            command.file.empty() ? std::nullopt : std::optional(read_spectra(command.file)));
+    Api api(
+        cache_from(command.shared, line),
+        command.file.empty() ? std::nullopt : std::optional(read_spectra(command.file, {.window = usual_window()})));
     Server server(api, command.port);
     line.end();
     write_stdout(server.url() + "\n");

@@ -15,7 +15,6 @@
 #include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "fit/configuration_json.hpp"
-#include "fit/file_settings.hpp"
 #include "fit/fit.hpp"
 #include "fit/gnuplot.hpp"
 #include "fit/inspection.hpp"
@@ -47,8 +46,8 @@ struct FitCommand {
     std::filesystem::path plot;
 };
 
-Configuration fit_configuration(const FitCommand& command, const Configuration& defaults) {
-    Configuration configuration = configuration_from(command.shared, defaults);
+Configuration fit_configuration(const FitCommand& command) {
+    Configuration configuration = configuration_from(command.shared);
     if (!command.solver.empty()) {
         configuration = configured_by_word(configuration, "solver", command.solver, "--solver");
     }
@@ -68,10 +67,8 @@ std::vector<std::filesystem::path> inputs(const FitCommand& command) {
     return all;
 }
 
-/// Refuses what cannot be written before the work rather than after it.
-void check_outputs(const FitCommand& command) {
-    if (!command.plot.empty()) (void)gnuplot_terminal(command.plot, {.width = 1, .height = 1});  // the suffix
-    if (!command.plot.empty() || !command.report.empty()) require_gnuplot();
+/// Refuses what cannot be written, or would replace one of these files, before the work rather than after it.
+void check_outputs(const FitCommand& command, const std::vector<std::filesystem::path>& read) {
     const std::vector<std::pair<std::string, std::filesystem::path>> outputs = {{"--out", command.shared.out},
                                                                                 {"--report", command.report},
                                                                                 {"--plot", command.plot},
@@ -80,9 +77,15 @@ void check_outputs(const FitCommand& command) {
         const auto& [option, path] = outputs[i];
         SharedOptions one = command.shared;
         one.out = path;
-        check_output(one, inputs(command), option);
+        check_output(one, read, option);
         for (std::size_t k = 0; k < i; ++k) refuse_same_output(outputs[k], outputs[i]);
     }
+}
+
+/// Refuses pictures that cannot be drawn.
+void check_pictures(const FitCommand& command) {
+    if (!command.plot.empty()) (void)gnuplot_terminal(command.plot, {.width = 1, .height = 1});  // the suffix
+    if (!command.plot.empty() || !command.report.empty()) require_gnuplot();
 }
 
 void check_samples(const FitCommand& command, const Configuration& configuration) {
@@ -94,8 +97,7 @@ void check_samples(const FitCommand& command, const Configuration& configuration
 }
 
 /// The result, with a bar while it is looked for; none where Ctrl-C ends the search.
-std::optional<FitResult> fitted(const FitCommand& command, const Configuration& configuration,
-                                const std::vector<Spectrum>& spectra, const std::vector<Finding>& findings,
+std::optional<FitResult> fitted(const FitCommand& command, const FitInput& input, const std::vector<Finding>& findings,
                                 Session& session) {
     ProgressLine line(session, "fitting");
     const FitWatch watch{.stop = session.stop_on_interrupt(""),
@@ -105,11 +107,10 @@ std::optional<FitResult> fitted(const FitCommand& command, const Configuration& 
                              },
                          .keeps_partial_result = true};
     try {
-        return fit_spectra(configuration, spectra,
-                           {.cross_check = command.cross_check,
-                            .cache = cache_from(command.shared, line),
-                            .findings = findings,
-                            .watch = watch});
+        return fit_spectra(input, {.cross_check = command.cross_check,
+                                   .cache = cache_from(command.shared, line),
+                                   .findings = findings,
+                                   .watch = watch});
     } catch (const Cancelled&) {
         line.end();
         line.tell("interrupted; there is no result yet, and nothing was written");
@@ -140,20 +141,19 @@ void write_files(const FitCommand& command, const FitResult& result, Session& se
 }
 
 /// All of them by one specimen.
-int run_joint(const FitCommand& command, const std::vector<FitInput>& inputs, Session& session) {
+int run_joint(const FitCommand& command, const Configuration& configuration, const std::vector<NamedSpectrum>& named,
+              Session& session) {
     std::vector<Spectrum> spectra;
-    for (const FitInput& input : inputs) {
-        if (input.refusal) throw *input.refusal;
-        spectra.push_back(*input.spectrum);
+    for (const NamedSpectrum& each : named) {
+        if (each.refusal) throw *each.refusal;
+        spectra.push_back(*each.spectrum);
     }
-    // What the file states holds where the configuration does not state it.
-    const Configuration configuration =
-        fit_configuration(command, with_file_settings(default_configuration(), spectra));
     check_samples(command, configuration);
-    const std::vector<Finding> findings = findings_before_fit(configuration, spectra);
-    if (command.strict) refuse_warnings(findings, spectra.front().source);
+    const FitInput input = fit_input(configuration, spectra);
+    const std::vector<Finding> findings = findings_before_fit(input);
+    if (command.strict) refuse_warnings(findings, input.parts.front().spectrum.source);
     const auto limit = thread_limit(command.shared);
-    const std::optional<FitResult> result = fitted(command, configuration, spectra, findings, session);
+    const std::optional<FitResult> result = fitted(command, input, findings, session);
     if (!result) return session.interrupt.exit_code();
     write_result(command.shared,
                  command.shared.format == "json" ? json_text(json_report(*result)) : text_report(*result),
@@ -177,16 +177,15 @@ void refuse_files_of_one(const FitCommand& command) {
 }
 
 /// The result of one of several, or why there is none; nothing where Ctrl-C ended it.
-std::optional<SeparateFit> separate_fit(const FitCommand& command, const FitInput& input, Session& session) {
-    SeparateFit fit{.file = input.name, .result = {}, .problem = {}};
+std::optional<SeparateFit> separate_fit(const FitCommand& command, const Configuration& configuration,
+                                        const NamedSpectrum& named, Session& session) {
+    SeparateFit fit{.file = named.name, .result = {}, .problem = {}};
     try {
-        if (input.refusal) throw *input.refusal;
-        const std::vector<Spectrum> one = {*input.spectrum};
-        const Configuration configuration =
-            fit_configuration(command, with_file_settings(default_configuration(), one));
-        const std::vector<Finding> findings = findings_before_fit(configuration, one);
-        if (command.strict) refuse_warnings(findings, one.front().source);
-        fit.result = fitted(command, configuration, one, findings, session);
+        if (named.refusal) throw *named.refusal;
+        const FitInput input = fit_input(configuration, {&*named.spectrum, 1});
+        const std::vector<Finding> findings = findings_before_fit(input);
+        if (command.strict) refuse_warnings(findings, named.spectrum->source);
+        fit.result = fitted(command, input, findings, session);
         if (!fit.result) return std::nullopt;
     } catch (const InputError& error) {
         say_trouble("error", error.what());
@@ -196,13 +195,14 @@ std::optional<SeparateFit> separate_fit(const FitCommand& command, const FitInpu
 }
 
 /// Each of them by itself: what one cannot do, the others do.
-int run_apart(const FitCommand& command, const std::vector<FitInput>& inputs, Session& session) {
+int run_apart(const FitCommand& command, const Configuration& configuration, const std::vector<NamedSpectrum>& named,
+              Session& session) {
     refuse_files_of_one(command);
     const auto limit = thread_limit(command.shared);
     std::vector<SeparateFit> fits;
-    for (const FitInput& input : inputs) {
+    for (const NamedSpectrum& each : named) {
         if (session.interrupt.signal()) break;
-        std::optional<SeparateFit> fit = separate_fit(command, input, session);
+        std::optional<SeparateFit> fit = separate_fit(command, configuration, each, session);
         if (!fit) break;
         fits.push_back(std::move(*fit));
     }
@@ -212,14 +212,20 @@ int run_apart(const FitCommand& command, const std::vector<FitInput>& inputs, Se
 }
 
 int run(const FitCommand& command, Session& session) {
-    const Configuration stated = fit_configuration(command, default_configuration());
-    check_outputs(command);
+    const Configuration configuration = fit_configuration(command);
+    check_pictures(command);
+    check_outputs(command, inputs(command));
     MeasuredFiles measured(command.reader, session.quiet);
-    const ReadOptions options{.column = stated.column, .unit = stated.unit, .region = region_from(command.region)};
-    const std::vector<FitInput> inputs =
-        read_inputs({.files = command.files, .columns = command.columns, .options = options}, measured);
-    const bool joint = inputs.size() == 1 || command.joint || !command.own.empty() || state_one_specimen(inputs);
-    return joint ? run_joint(command, inputs, session) : run_apart(command, inputs, session);
+    const ReadOptions options{.column = configuration.column,
+                              .unit = configuration.unit,
+                              .region = region_from(command.region),
+                              .window = window_of(configuration)};
+    const std::vector<NamedSpectrum> named =
+        read_spectra_named({.files = command.files, .columns = command.columns, .options = options}, measured);
+    check_outputs(command, measured.files_of_cubes());
+    const bool joint = named.size() == 1 || command.joint || !command.own.empty() || state_one_specimen(named);
+    return joint ? run_joint(command, configuration, named, session)
+                 : run_apart(command, configuration, named, session);
 }
 
 }  // namespace

@@ -177,7 +177,8 @@ int run(const GonioCommand& command, Session& session) {
     run.spectrum.bins = bins_of(command);
     run.spectrum.weights = weights_of(run);
     check_memory(run);
-    (void)extinctions(run.wavelengths_nm, run.configuration.edition);  // refuses wavelengths outside the tables
+    (void)extinctions(run.wavelengths_nm,
+                      make_experiment(run.configuration).edition);  // refuses wavelengths outside the tables
     check_output(command.shared);
     const auto limit = thread_limit(command.shared);
     ProgressLine line(session, "following rays");

@@ -23,31 +23,35 @@ struct InspectCommand {
 };
 
 ReadOptions read_options(const InspectCommand& command) {
-    ReadOptions options{.region = region_from(command.region)};
+    ReadOptions options{.region = region_from(command.region), .window = usual_window()};
     if (!command.unit.empty()) {
         options.unit = configured_by_word(default_configuration(), "unit", command.unit, "--unit").unit;
     }
     return options;
 }
 
-void check_plot(const InspectCommand& command) {
+/// Refuses a picture that cannot be drawn or written, or would replace one of these files.
+void check_plot(const InspectCommand& command, std::vector<std::filesystem::path> read) {
     SharedOptions plot = command.output;
     plot.out = command.plot;
-    std::vector<std::filesystem::path> others = files_read(command.file, command.region);
-    others.push_back(command.output.out);
-    check_picture(plot, "--plot", others);
+    read.push_back(command.output.out);
+    check_picture(plot, "--plot", read);
     refuse_same_output({"--out", command.output.out}, {"--plot", command.plot});
 }
 
 int run(const InspectCommand& command, Session& session) {
     const ReadOptions options = read_options(command);
-    check_output(command.output, files_read(command.file, command.region));
-    check_plot(command);
+    const auto check_outputs = [&command](const std::vector<std::filesystem::path>& read) {
+        check_output(command.output, read);
+        check_plot(command, read);
+    };
+    check_outputs(files_read(command.file, command.region));
+    MeasuredFiles measured(command.reader, session.quiet);
     std::optional<ProgressLine> line;  // not over what is typed
     if (!is_standard_input(command.file)) line.emplace(session, "reading");
-    const Inspection inspection =
-        inspected(MeasuredFiles(command.reader, session.quiet).spectra(command.file, options));
+    const Inspection inspection = inspected(measured.spectra(command.file, options));
     line.reset();
+    check_outputs(measured.files_of_cubes());
     write_result(
         command.output,
         command.output.format == "json" ? json_text(inspection_json(inspection)) : inspection_text(inspection), [&] {

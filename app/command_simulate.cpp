@@ -50,8 +50,9 @@ std::vector<Reading> walked_readings(const Configuration& configuration, const E
 /// At single wavelengths.
 std::vector<Reading> modelled_readings(const Configuration& configuration, const std::vector<double>& wavelengths_nm,
                                        const DiskCache& cache, ProgressLine& line) {
-    check_viewing_cone(resolved(configuration, Spectrum{}));
-    const Experiment experiment = make_experiment(configuration);
+    const ResolvedConfiguration complete = resolved(configuration);
+    check_viewing_cone(complete);
+    const Experiment experiment = make_experiment(complete);
     const std::vector<double> true_nm = true_wavelengths_nm(experiment, wavelengths_nm);
     (void)extinctions(true_nm, experiment.edition);  // refuses wavelengths outside the tables before any work
     if (configuration.engine == Engine::solver) return read_by_solver(experiment, wavelengths_nm);
@@ -77,7 +78,7 @@ std::vector<Reading> modelled_readings(const Configuration& configuration, const
 
 std::vector<Reading> readings(const Configuration& configuration, const DiskCache& cache, ProgressLine& line) {
     const std::vector<double> centres_nm = parse_wavelengths(configuration.wavelengths, "wavelengths");
-    const BandSampling bands = sample_bands(centres_nm, bandpass_of(resolved(configuration, Spectrum{})));
+    const BandSampling bands = sample_bands(centres_nm, bandpass_of(resolved(configuration)));
     return readings_in_bands(modelled_readings(configuration, bands.wavelength_nm, cache, line), bands, centres_nm);
 }
 

@@ -24,7 +24,7 @@ struct StudySimulateCommand {
 
 Cohort cohort_of(const StudySimulateCommand& command) {
     const std::string example = "configs/cohort_power.json, which comes with skinfit, is an example";
-    Json json = parsed_json(read_file(command.cohort), command.cohort, example);
+    Json json = parsed_json(read_input(command.cohort), command.cohort, example);
     require_object(json, command.cohort, example);
     if (!command.seed.empty()) {
         json["seed"] = configured_by_word(default_configuration(), "seed", command.seed, "--seed").seed;

@@ -35,9 +35,9 @@ std::string specimen_of(const Spectrum& spectrum, const ReadOptions& options) {
     return options.column || is_of_file || is_quantity || is_place ? "" : spectrum.name;
 }
 
-FitInput read_input(const std::string& name, const std::string& file, const ReadOptions& options,
-                    MeasuredFiles& measured) {
-    FitInput input{.name = name, .specimen = {}, .spectrum = {}, .refusal = {}};
+NamedSpectrum read_named(const std::string& name, const std::string& file, const ReadOptions& options,
+                         MeasuredFiles& measured) {
+    NamedSpectrum input{.name = name, .specimen = {}, .spectrum = {}, .refusal = {}};
     try {
         input.spectrum = measured.spectrum(file, options);
         input.specimen = specimen_of(*input.spectrum, options);
@@ -49,25 +49,26 @@ FitInput read_input(const std::string& name, const std::string& file, const Read
 
 }  // namespace
 
-std::vector<FitInput> read_inputs(const NamedSpectra& named, MeasuredFiles& measured) {
+std::vector<NamedSpectrum> read_spectra_named(const NamedSpectra& named, MeasuredFiles& measured) {
     check(named);
     const std::size_t files = named.files.size();
     const std::size_t columns = named.columns.size();
-    std::vector<FitInput> inputs;
+    std::vector<NamedSpectrum> spectra;
     for (std::size_t k = 0; k < std::max(files, columns); ++k) {
         const std::string& file = named.files[files == 1 ? 0 : k];
         ReadOptions options = named.options;
         std::string name = file;
         if (columns > 0) options.column = named.columns[columns == 1 ? 0 : k];
         if (columns > 1) name += " " + named.columns[k];
-        inputs.push_back(read_input(name, file, options, measured));
+        spectra.push_back(read_named(name, file, options, measured));
     }
-    return inputs;
+    return spectra;
 }
 
-bool state_one_specimen(const std::vector<FitInput>& inputs) {
-    const std::string& first = inputs.front().specimen;
-    return !first.empty() && std::ranges::all_of(inputs, [&](const FitInput& each) { return each.specimen == first; });
+bool state_one_specimen(const std::vector<NamedSpectrum>& spectra) {
+    const std::string& first = spectra.front().specimen;
+    return !first.empty() &&
+           std::ranges::all_of(spectra, [&](const NamedSpectrum& each) { return each.specimen == first; });
 }
 
 }  // namespace skinfit

@@ -18,7 +18,7 @@ struct NamedSpectra {
 };
 
 /// One of them, or why it could not be read.
-struct FitInput {
+struct NamedSpectrum {
     std::string name;      ///< its file, with its column where several are named
     std::string specimen;  ///< as a file of one spectrum names it; empty where it does not
     std::optional<Spectrum> spectrum;
@@ -26,9 +26,9 @@ struct FitInput {
 };
 
 /// Reads each once. Throws InputError where it is not clear which column belongs to which file.
-[[nodiscard]] std::vector<FitInput> read_inputs(const NamedSpectra& named, MeasuredFiles& measured);
+[[nodiscard]] std::vector<NamedSpectrum> read_spectra_named(const NamedSpectra& named, MeasuredFiles& measured);
 
 /// Whether all are read, and their files name one specimen.
-[[nodiscard]] bool state_one_specimen(const std::vector<FitInput>& inputs);
+[[nodiscard]] bool state_one_specimen(const std::vector<NamedSpectrum>& spectra);
 
 }  // namespace skinfit

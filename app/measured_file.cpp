@@ -21,28 +21,40 @@ bool is_standard_input(const std::string& file) {
 MeasuredFiles::MeasuredFiles(const std::string& reader, bool quiet)
     : reader_(reader.empty() ? std::nullopt : std::optional(reader)), quiet_(quiet) {}
 
-const std::string& MeasuredFiles::standard_input() {
-    if (!standard_input_) {
-        if (reader_ == envi_reader_name) {
-            throw InputError({.where = standard_input_name,
-                              .problem = "cannot be an ENVI cube",
-                              .why = "that is two files",
-                              .remedy = "name one of them"});
-        }
-        if (is_terminal(STDIN_FILENO) && !quiet_) say_line("type or paste a spectrum; Ctrl-D ends it");
-        standard_input_ = read_standard_input();
+OpenedSpectra MeasuredFiles::standard_input() const {
+    if (reader_ == envi_reader_name) {
+        throw InputError({.where = standard_input_name,
+                          .problem = "cannot be an ENVI cube",
+                          .why = "that is two files",
+                          .remedy = "name one of them"});
     }
-    return *standard_input_;
+    if (is_terminal(STDIN_FILENO) && !quiet_) say_line("type or paste a spectrum; Ctrl-D ends it");
+    return {.source = standard_input_name, .text = read_standard_input(), .cube = {}, .reader = reader_};
+}
+
+const OpenedSpectra& MeasuredFiles::open(const std::string& file) {
+    const auto found = opened_.find(file);
+    if (found != opened_.end()) return found->second;
+    return opened_.emplace(file, is_standard_input(file) ? standard_input() : open_spectra(file, reader_))
+        .first->second;
 }
 
 SpectrumFile MeasuredFiles::spectra(const std::string& file, const ReadOptions& options) {
-    if (!is_standard_input(file)) return read_spectra(file, options, reader_);
-    return parse_spectra(standard_input(), standard_input_name, options, reader_);
+    return spectra_in(open(file), options);
 }
 
 Spectrum MeasuredFiles::spectrum(const std::string& file, const ReadOptions& options) {
-    if (!is_standard_input(file)) return read_spectrum(file, options, reader_);
-    return parse_spectrum(standard_input(), standard_input_name, options, reader_);
+    return spectrum_in(open(file), options);
+}
+
+std::vector<std::filesystem::path> MeasuredFiles::files_of_cubes() const {
+    std::vector<std::filesystem::path> files;
+    for (const auto& [name, opened] : opened_) {
+        if (!opened.cube) continue;
+        files.push_back(opened.cube->header);
+        files.push_back(opened.cube->data);
+    }
+    return files;
 }
 
 }  // namespace skinfit

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "measurements/spectrum_file.hpp"
 #include "measurements/text_reader.hpp"
@@ -11,24 +14,30 @@ namespace skinfit {
 /// Whether this FILE means what comes from standard input: "-".
 [[nodiscard]] bool is_standard_input(const std::string& file);
 
-/// Measured files as the command line names them.
+/// Measured files as the command line names them, each opened once however many of its spectra are asked for.
 class MeasuredFiles {
 public:
     /// `reader` is that of --reader; empty: files are recognised. `quiet`: nobody is asked to type.
     MeasuredFiles(const std::string& reader, bool quiet);
 
-    /// As `read_spectra`, of a file or of standard input, which is read once. Throws InputError.
+    /// The file, or standard input, opened and read. Throws InputError.
+    const OpenedSpectra& open(const std::string& file);
+
+    /// As `spectra_in` it.
     [[nodiscard]] SpectrumFile spectra(const std::string& file, const ReadOptions& options);
 
-    /// As `read_spectrum`.
+    /// As `spectrum_in` it.
     [[nodiscard]] Spectrum spectrum(const std::string& file, const ReadOptions& options);
 
+    /// The headers and the data of the cubes among those that are open.
+    [[nodiscard]] std::vector<std::filesystem::path> files_of_cubes() const;
+
 private:
-    const std::string& standard_input();
+    [[nodiscard]] OpenedSpectra standard_input() const;
 
     std::optional<std::string> reader_;
     bool quiet_;
-    std::optional<std::string> standard_input_;  ///< once it is read
+    std::map<std::string, OpenedSpectra> opened_;
 };
 
 }  // namespace skinfit

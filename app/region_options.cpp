@@ -1,7 +1,6 @@
 #include "app/region_options.hpp"
 
 #include "app/measured_file.hpp"
-#include "measurements/envi_files.hpp"
 
 namespace skinfit {
 
@@ -28,13 +27,10 @@ RegionChoice region_from(const RegionOptions& options) {
 std::vector<std::filesystem::path> files_read(const std::filesystem::path& file, const RegionOptions& options) {
     if (is_standard_input(file.string())) return {};
     std::vector<std::filesystem::path> files{file};
-    if (!options.mask.empty()) files.emplace_back(options.mask);
-    for (std::size_t i = 0, named = files.size(); i < named; ++i) {
-        if (!find_envi_header(files[i])) continue;
-        const EnviFiles both = find_envi_files(files[i]);
-        files.push_back(both.header);
-        files.push_back(both.data);
-    }
+    if (options.mask.empty()) return files;
+    files.emplace_back(options.mask);
+    files.emplace_back(options.mask + ".hdr");
+    files.push_back(std::filesystem::path(options.mask).replace_extension(".hdr"));
     return files;
 }
 

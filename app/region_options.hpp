@@ -21,8 +21,8 @@ void add_region_options(CLI::App& command, RegionOptions& options);
 /// What they choose. Throws InputError for a rectangle that is none.
 [[nodiscard]] RegionChoice region_from(const RegionOptions& options);
 
-/// The files that reading `file` takes: both of a cube's, where it is one of them, and the mask; none of standard
-/// input. For `check_output`. Throws InputError where a cube lacks its data.
+/// The files that reading `file` takes, as far as their names tell: it and the mask, with the mask's header; none of
+/// standard input. For `check_output`, before anything is opened; `MeasuredFiles::files_of_cubes` has the rest.
 [[nodiscard]] std::vector<std::filesystem::path> files_read(const std::filesystem::path& file,
                                                             const RegionOptions& options = {});
 

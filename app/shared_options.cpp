@@ -103,7 +103,7 @@ void add_reader_option(CLI::App& command, std::string& reader) {
 Configuration configuration_from(const SharedOptions& options, const Configuration& defaults) {
     Configuration configuration = defaults;
     if (!options.config.empty()) {
-        configuration = configured_by_text(configuration, read_file(options.config), options.config);
+        configuration = configured_by_text(configuration, read_input(options.config), options.config);
     }
     for (const std::string& assignment : options.set) {
         configuration = configured_by_assignment(configuration, assignment);

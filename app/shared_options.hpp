@@ -63,7 +63,7 @@ void add_wavelengths_option(CLI::App& command, std::string& wavelengths,
 /// Adds --reader, which overrides the recognition of a file's form.
 void add_reader_option(CLI::App& command, std::string& reader);
 
-/// `defaults`, changed by --config and then by each --set. Throws InputError.
+/// `defaults`, changed by --config, which is read once and may be a pipe, and then by each --set. Throws InputError.
 [[nodiscard]] Configuration configuration_from(const SharedOptions& options,
                                                const Configuration& defaults = default_configuration());
 

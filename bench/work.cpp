@@ -30,7 +30,7 @@ BenchWork bench_work(std::size_t count, std::uint64_t rays) {
     std::vector<double> wavelengths_nm;
     for (int i = 0; i <= 30; ++i) wavelengths_nm.push_back(400 + 10 * i);
     const Spectrum table_1 = read(make_experiment(configuration), wavelengths_nm);
-    configuration = resolved(configuration, table_1);
+    configuration = as_stated(resolved(configuration, table_1));
     BenchWork work{
         .configuration = configuration,
         .problem = make_problem(configuration, table_1),

@@ -1,6 +1,8 @@
 #include "core/file.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -65,13 +67,43 @@ std::size_t ordinary_file_size(const std::filesystem::path& path, const Descript
     return size;
 }
 
-/// All bytes up to the end; `expected` of them are likely. Files of /proc say that they are empty, and others may grow.
-std::string read_all(int descriptor, const std::filesystem::path& path, std::size_t expected) {
-    std::string bytes(expected, '\0');
-    std::size_t filled = 0;
+/// Waits until there is somebody who writes into the pipe, and leaves it so that reading waits for them. Returns a byte
+/// that has been read meanwhile, if any.
+std::string first_byte_of_pipe(const Descriptor& descriptor, const std::filesystem::path& path) {
+    constexpr int patience_ms = 5000;  // chosen: time to start a second program by hand
+    pollfd waiting{.fd = descriptor.get(), .events = POLLIN, .revents = 0};
+    char byte = 0;
+    while (::poll(&waiting, 1, patience_ms) < 0 && errno == EINTR) {
+    }
+    const ssize_t count = ::read(descriptor.get(), &byte, 1);
+    const bool is_silent = count < 0 && errno == EAGAIN;  // somebody has it open and has not written yet
+    if (count == 0 && (waiting.revents & POLLHUP) == 0) {
+        throw InputError({.where = path.string(),
+                          .problem = "is a pipe into which nobody writes",
+                          .why = fmt::format("{} s have been waited for it", patience_ms / 1000),
+                          .remedy = "start the program that writes into it first, or name a file"});
+    }
+    if (count < 0 && !is_silent) refuse_to_read(path, errno);
+    ::fcntl(descriptor.get(), F_SETFL, ::fcntl(descriptor.get(), F_GETFL) & ~O_NONBLOCK);
+    return count == 1 ? std::string(1, byte) : std::string();
+}
+
+/// All bytes up to the end, or until `goes_on` says no, after those that are `known`; `expected` are likely. Files of
+/// /proc say that they are empty, and others may grow.
+std::string read_all(int descriptor, const std::filesystem::path& path, std::string known, std::size_t expected,
+                     const std::function<bool(std::string_view)>& goes_on = {}) {
+    constexpr std::size_t block = std::size_t{1} << 16U;
+    constexpr std::size_t much = std::size_t{1} << 25U;  // memory for the whole of a file is not taken before
+    std::string bytes = std::move(known);
+    std::size_t filled = bytes.size();
+    if (!goes_on) bytes.resize(std::max(expected, filled));
     for (;;) {
-        if (filled == bytes.size()) bytes.resize(filled + std::max(filled / 2, std::size_t{1} << 16U));
-        const ssize_t count = ::read(descriptor, bytes.data() + filled, bytes.size() - filled);
+        if (filled > 0 && goes_on && !goes_on(std::string_view(bytes).substr(0, filled))) break;
+        if (filled == bytes.size()) {
+            bytes.resize(filled >= much ? std::max(expected, filled + filled / 2) : filled + std::max(filled, block));
+        }
+        const std::size_t wanted = goes_on ? std::min(block, bytes.size() - filled) : bytes.size() - filled;
+        const ssize_t count = ::read(descriptor, bytes.data() + filled, wanted);
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) refuse_to_read(path, errno);
         if (count == 0) break;
@@ -101,11 +133,21 @@ std::string read_file(const std::filesystem::path& path) {
     // Without O_NONBLOCK, opening a pipe waits for whoever writes into it.
     const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
     if (descriptor.get() < 0) refuse_to_read(path, errno);
-    return read_all(descriptor.get(), path, ordinary_file_size(path, descriptor));
+    return read_all(descriptor.get(), path, {}, ordinary_file_size(path, descriptor));
+}
+
+std::string read_input(const std::filesystem::path& path, const std::function<bool(std::string_view)>& goes_on) {
+    // Without O_NONBLOCK, opening a pipe waits for whoever writes into it, for ever where nobody does.
+    const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+    if (descriptor.get() < 0) refuse_to_read(path, errno);
+    struct stat status {};
+    const bool is_pipe = ::fstat(descriptor.get(), &status) == 0 && S_ISFIFO(status.st_mode);
+    if (is_pipe) return read_all(descriptor.get(), path, first_byte_of_pipe(descriptor, path), 0, goes_on);
+    return read_all(descriptor.get(), path, {}, ordinary_file_size(path, descriptor), goes_on);
 }
 
 std::string read_standard_input() {
-    return read_all(STDIN_FILENO, "standard input", 0);
+    return read_all(STDIN_FILENO, "standard input", {}, 0);
 }
 
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes) {

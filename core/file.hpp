@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -15,6 +16,13 @@ inline constexpr std::size_t largest_file_bytes = std::size_t{1} << 31U;
 /// The bytes of the file at `path`. Throws InputError when it is missing, unreadable, too large or no ordinary file,
 /// such as a folder or a pipe; never waits for one.
 [[nodiscard]] std::string read_file(const std::filesystem::path& path);
+
+/// The bytes of what a user names as an input at `path`, which is opened once: of an ordinary file, or of a pipe up to
+/// its end, as the shell's `<(...)` makes one; for somebody who writes into it, it waits 5 s. `goes_on` is asked about
+/// the bytes so far, again and again while there are more; where it says no, those are all. Throws InputError as
+/// `read_file`, but for pipes.
+[[nodiscard]] std::string read_input(const std::filesystem::path& path,
+                                     const std::function<bool(std::string_view so_far)>& goes_on = {});
 
 /// The bytes that come from standard input, up to its end. Throws InputError when it is closed or gives too many.
 [[nodiscard]] std::string read_standard_input();

@@ -79,8 +79,9 @@ Json Api::exported(const MeasuredRequest& request) {
     Json simulations = Json::array();
     for (const MeasuredModel& model : models) {
         const Simulation simulation = simulator_.simulate(model.configuration);
-        simulations.push_back({{"csv", simulation_csv(readings(simulation), simulation.configuration)},
-                               {"json", simulation_json(readings(simulation), simulation.configuration)}});
+        const Configuration configuration = as_stated(simulation.configuration);
+        simulations.push_back({{"csv", simulation_csv(readings(simulation), configuration)},
+                               {"json", simulation_json(readings(simulation), configuration)}});
     }
     // Of several the geometry stays open: each spectrum states its own.
     const bool is_one = models.size() == 1;

@@ -40,9 +40,8 @@ FitOrder fit_order(const Json& json) {
 }
 
 FitResult fitted(const FitOrder& order, const DiskCache& cache, const FitWatch& watch) {
-    return fit_spectra(
-        order.configuration, order.spectra,
-        {.cache = cache, .findings = findings_before_fit(order.configuration, order.spectra), .watch = watch});
+    const FitInput input = fit_input(order.configuration, order.spectra);
+    return fit_spectra(input, {.cache = cache, .findings = findings_before_fit(input), .watch = watch});
 }
 
 Json fitted_documents(const FitResult& result) {

@@ -9,22 +9,21 @@
 #include "explore/configuration_request.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/file_settings.hpp"
-#include "fit/measurement.hpp"
-#include "fit/named_instrument.hpp"
+#include "fit/resolution.hpp"
 #include "measurements/spectrum_file.hpp"
 
 namespace skinfit {
 namespace {
 
 Configuration configuration_for(const Json& stated, std::span<const Spectrum> spectra) {
-    const Configuration base = explore_configuration();
-    return requested_configuration(spectra.empty() ? base : with_file_settings(base, spectra), stated);
+    const Configuration configuration = requested_configuration(explore_configuration(), stated);
+    return spectra.empty() ? configuration : with_file_settings(configuration, spectra);
 }
 
-/// What the instrument of that name says of the settings.
-Json settings_of_instrument(const std::optional<std::string>& name) {
+/// What an instrument says of the settings.
+Json settings_of(const std::optional<NamedInstrument>& instrument) {
     Configuration configuration;
-    configuration.instrument = name;
+    configuration.instrument = instrument;
     return to_json(with_instrument(std::move(configuration)));
 }
 
@@ -41,9 +40,9 @@ bool states(const Spectrum& spectrum, std::string_view setting) {
 /// `configuration` is that for `spectrum`, before it is resolved.
 Json deciders(const Json& stated, const Configuration& configuration, const Spectrum& spectrum) {
     const Json open = to_json(configuration);
-    const Json by_instrument = settings_of_instrument(configuration.instrument);
+    const Json by_instrument = settings_of(configuration.instrument);
     const Json by_file = to_json(resolved(configuration_for(Json::object(), std::span(&spectrum, 1)), spectrum));
-    const Json by_default = to_json(resolved(explore_configuration(), Spectrum{}));
+    const Json by_default = to_json(resolved(explore_configuration()));
     Json deciders;
     for (const std::string_view name : measurement_settings) {
         const std::string key(name);
@@ -68,7 +67,8 @@ MeasuredRequest measured_request(const Json& request) {
     const Json measured = request.value("measured", Json::array());
     if (measured.is_array() && measured.empty()) return found;
     const std::string text = Json{{"spectra", measured}}.dump(-1, ' ', false, Json::error_handler_t::replace);
-    found.spectra = parse_spectra(text, found.source, {}, "json").spectra;
+    const WavelengthWindow window = window_of(configuration_for(found.stated, {}));
+    found.spectra = parse_spectra(text, found.source, {.window = window}, "json").spectra;
     return found;
 }
 
@@ -84,7 +84,7 @@ std::vector<MeasuredModel> measured_models(const MeasuredRequest& request) {
     for (std::size_t i = 0; i < spectra.size(); ++i) {
         const auto own = request.spectra.empty() ? std::span<const Spectrum>() : std::span(&spectra[i], 1);
         const Configuration configuration = configuration_for(request.stated, own);
-        const Configuration complete = resolved(configuration, spectra[i]);
+        const Configuration complete = as_stated(resolved(configuration, spectra[i]));
         const Json json = to_json(complete);
         auto same = std::ranges::find_if(
             models, [&](const MeasuredModel& each) { return to_json(each.configuration) == json; });

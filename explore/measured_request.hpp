@@ -32,7 +32,7 @@ struct MeasuredRequest {
 
 /// A model as a fit of some of the spectra takes it.
 struct MeasuredModel {
-    Configuration configuration;       ///< resolved as for the fit
+    Configuration configuration;       ///< states all that is decided for the fit
     std::vector<std::size_t> spectra;  ///< which of the request's it explains; none where there are none
     /// Of each of `measurement_settings`, who decides it: "stated", "instrument" (the stated one), "file" or "default".
     Json decided_by;

@@ -98,7 +98,7 @@ AngularSolver LiveSimulator::solver_of(const Experiment& experiment) {
 }
 
 Simulation LiveSimulator::simulate(const Configuration& configuration) {
-    Simulation simulation{.configuration = resolved(configuration, Spectrum{}),
+    Simulation simulation{.configuration = resolved(configuration),
                           .wavelength_nm = checked_wavelengths(configuration),
                           .reading = {},
                           .surface = {},
@@ -107,7 +107,7 @@ Simulation LiveSimulator::simulate(const Configuration& configuration) {
                           .transmitted = {}};
     simulation.configuration.engine = Engine::solver;
     check_viewing_cone(simulation.configuration);
-    const Quantity quantity = simulation.configuration.quantity.value();
+    const Quantity quantity = simulation.configuration.quantity;
     const Experiment experiment = make_experiment(simulation.configuration);
     const BandSampling bands = sample_bands(simulation.wavelength_nm, bandpass_of(simulation.configuration));
     const std::vector<double> true_nm = true_wavelengths_nm(experiment, bands.wavelength_nm);
@@ -131,7 +131,7 @@ Json simulation_json(const Simulation& simulation) {
         shares[std::string(layer_names[layer])] = list(simulation.absorbed.col(static_cast<Index>(layer)));
     }
     shares["transmitted"] = list(simulation.transmitted);
-    return {{"quantity", quantity_names[static_cast<std::size_t>(*simulation.configuration.quantity)]},
+    return {{"quantity", quantity_names[static_cast<std::size_t>(simulation.configuration.quantity)]},
             {"wavelength_nm", simulation.wavelength_nm},
             {"reading", list(simulation.reading)},
             {"shares", shares},

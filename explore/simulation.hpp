@@ -5,7 +5,7 @@
 #include <mutex>
 #include <vector>
 
-#include "fit/configuration.hpp"
+#include "fit/resolution.hpp"
 #include "fit/settings.hpp"
 #include "model/angular_solver.hpp"
 #include "model/spectrophotometer.hpp"
@@ -15,7 +15,7 @@ namespace skinfit {
 /// What becomes of the light of one described skin, by the angular solver: without noise. Entry i belongs to one
 /// wavelength. The shares of the incident light, as the model has them, add up to 1.
 struct Simulation {
-    Configuration configuration;        ///< with everything filled in that the defaults decide
+    ResolvedConfiguration configuration;
     std::vector<double> wavelength_nm;  ///< as the instrument states it
     Eigen::VectorXd reading;            ///< of the configured quantity, a fraction
     Eigen::VectorXd surface;            ///< reflected by the surface

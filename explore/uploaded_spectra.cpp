@@ -29,7 +29,8 @@ Spectrum statement_of(Spectrum spectrum) {
     spectrum.value = {0.5};
     spectrum.sigma.clear();
     spectrum.repeats.clear();
-    spectrum.missing = 0;
+    spectrum.missing_nm.clear();
+    spectrum.repeated.clear();
     return spectrum;
 }
 
@@ -92,12 +93,12 @@ Json uploaded_json(SpectrumFile file) {
 
 Json uploaded_json(std::string_view bytes, const std::string& name, const std::optional<std::uint64_t>& size_bytes) {
     refuse_what_a_page_cannot_send(bytes, name, size_bytes.value_or(bytes.size()));
-    return uploaded_json(parse_spectra(bytes, name));
+    return uploaded_json(parse_spectra(bytes, name, {.window = usual_window()}));
 }
 
 Json sample_json() {
     const EmbeddedFile& sample = explore_files::embedded_files().front();
-    return uploaded_json(parse_spectra(sample.text, std::string(sample.name)));
+    return uploaded_json(parse_spectra(sample.text, std::string(sample.name), {.window = usual_window()}));
 }
 
 }  // namespace skinfit

@@ -1,7 +1,5 @@
 #include "fit/configuration.hpp"
 
-#include "core/input_error.hpp"
-
 namespace skinfit {
 
 double default_loss_scale(Loss loss) {
@@ -21,26 +19,21 @@ Configuration default_configuration() {
     return configuration;
 }
 
-Base resolved_base(const Configuration& configuration) {
-    const bool separated = configuration.layers == 2;
-    if (!configuration.base) {
-        return separated ? Base{.kind = Base::Kind::index, .refractive_index = 1.0} : Base{};
-    }
-    if (separated && configuration.base->kind == Base::Kind::hypodermis) {
-        throw InputError({.where = "base",
-                          .problem = "hypodermis under two layers",
-                          .why = "separated stratum corneum and epidermis have no dermis above a hypodermis",
-                          .remedy = "leave base unset for air, or give matched or a refractive index"});
-    }
-    return *configuration.base;
-}
-
-std::vector<Parameter> free_parameters(const Configuration& configuration) {
+std::vector<Parameter> free_parameters(const FitSettings& settings) {
     std::vector<Parameter> free;
     for (const ParameterInfo& info : parameter_table()) {
-        if (configuration.free[static_cast<std::size_t>(info.parameter)]) free.push_back(info.parameter);
+        if (settings.free[static_cast<std::size_t>(info.parameter)]) free.push_back(info.parameter);
     }
     return free;
+}
+
+WavelengthWindow window_of(const FitSettings& settings) {
+    WavelengthWindow window{
+        .range = {.lowest_nm = settings.wavelength_min_nm, .highest_nm = settings.wavelength_max_nm}};
+    for (const Bounds& range_nm : settings.exclude_nm) {
+        window.excluded.push_back({.lowest_nm = range_nm.lower, .highest_nm = range_nm.upper});
+    }
+    return window;
 }
 
 }  // namespace skinfit

@@ -10,7 +10,9 @@
 
 #include "core/geometry.hpp"
 #include "fit/derived.hpp"
-#include "measurements/text_reader.hpp"
+#include "fit/named_instrument.hpp"
+#include "measurements/unit_rule.hpp"
+#include "measurements/wavelength_window.hpp"
 #include "model/parameters.hpp"
 #include "model/skin.hpp"
 
@@ -94,36 +96,24 @@ struct Weight {
     double weight;    ///< above 0
 };
 
-/// Everything a user can set. What is optional and unset is taken from the instrument or the measured file, else from
-/// `default_incidence_deg` and its neighbours.
-struct Configuration {
-    Edition edition = Edition::revised;
+/// What a fit does with a spectrum, however it was measured. Nothing of it depends on the spectrum.
+struct FitSettings {
+    std::optional<std::string> column;  ///< of the measured file; unset: its only spectrum
+    std::optional<Unit> unit;           ///< of the measured file; unset: found by `find_unit`
     Engine engine = Engine::paths;
     Solver solver = Solver::ceres;
     UncertaintyMethod uncertainty = UncertaintyMethod::covariance;
-    int layers = 4;
-    std::optional<Base> base;  ///< unset: hypodermis under four layers, air under two
-    std::optional<double> incidence_deg;
-    std::optional<Specular> specular;
-    std::optional<double> viewing_cone_deg;  ///< half angle about the normal; unset: the hemisphere is collected
-    std::optional<std::string> instrument;   ///< a name or a file: see `find_instrument`
-    std::optional<BandpassShape> bandpass_shape;
-    std::optional<double> bandpass_width_nm;  ///< full width at half maximum; 0: none
-    std::optional<Quantity> quantity;
-    std::optional<std::string> column;  ///< of the measured file
-    std::optional<Unit> unit;           ///< of the measured file
     std::uint64_t rays = 100'000;
     std::uint64_t seed = 1;
     std::string wavelengths = "400:700:10";  ///< of a simulation, nm; see `parse_wavelengths`
     double wavelength_min_nm = 400;          ///< of a fit
     double wavelength_max_nm = 700;          ///< of a fit
-    std::optional<double> noise;             ///< standard uncertainty of a value where the file states none, fraction
     std::vector<Bounds> exclude_nm;          ///< ranges of wavelengths a fit leaves out, both ends included
     std::vector<Weight> weights;             ///< 1 elsewhere
     Loss loss = Loss::squares;
-    std::optional<double> loss_scale;  ///< sigmas; unset: `default_loss_scale`
-    std::optional<Discrepancy> discrepancy;
-    std::uint64_t starts = 8;  ///< of a fit: the configured one, and points spread over the bounds
+    std::optional<double> loss_scale;        ///< sigmas; unset: `default_loss_scale`
+    std::optional<Discrepancy> discrepancy;  ///< unset: none
+    std::uint64_t starts = 8;                ///< of a fit: the configured one, and points spread over the bounds
     std::array<std::optional<Prior>, parameter_count> priors{};        ///< unset: uniform within the bounds
     std::array<std::optional<Prior>, derived_count> derived_priors{};  ///< unset: none
     ParameterValues values;                                            ///< fixed values, and starts of free parameters
@@ -132,12 +122,31 @@ struct Configuration {
     std::array<Bounds, parameter_count> bounds{};
 };
 
+/// Everything a user can set. What is optional and unset is taken from the instrument or the measured file, else from
+/// the defaults below, by `resolved`.
+struct Configuration : FitSettings {
+    std::optional<Edition> edition;
+    std::optional<int> layers;
+    std::optional<Base> base;  ///< unset: hypodermis under four layers, air under two
+    std::optional<double> incidence_deg;
+    std::optional<Specular> specular;
+    std::optional<double> viewing_cone_deg;     ///< half angle about the normal; unset: the hemisphere is collected
+    std::optional<NamedInstrument> instrument;  ///< read when it was stated, and never again
+    std::optional<BandpassShape> bandpass_shape;
+    std::optional<double> bandpass_width_nm;  ///< full width at half maximum; 0: none
+    std::optional<Quantity> quantity;
+    std::optional<double> noise;  ///< standard uncertainty of a value where the file states none, fraction
+};
+
 /// Used where neither the configuration nor the measured file states the geometry: the common d/8 and 8/d
 /// instruments with the specular reflection included; with a viewing cone the 45/0 instruments, which exclude it.
+inline constexpr Edition default_edition = Edition::revised;
+inline constexpr int default_layers = 4;
 inline constexpr double default_incidence_deg = 8.0;
 inline constexpr Specular default_specular = Specular::included;
 inline constexpr double default_incidence_deg_with_cone = 45.0;
 inline constexpr Specular default_specular_with_cone = Specular::excluded;
+inline constexpr BandpassShape default_bandpass_shape = BandpassShape::triangular;
 inline constexpr Quantity default_quantity = Quantity::reflectance;
 inline constexpr double default_noise = 0.006;  ///< fraction; the median repeat scatter of [COOKSEY17]
 
@@ -148,10 +157,10 @@ inline constexpr double default_noise = 0.006;  ///< fraction; the median repeat
 /// [KA04, Table 1], five free pigment parameters, 400-700 nm.
 [[nodiscard]] Configuration default_configuration();
 
-/// The base of the sample, resolved. Throws InputError for a hypodermis under two layers.
-[[nodiscard]] Base resolved_base(const Configuration& configuration);
-
 /// The free parameters, in the order of the parameter table.
-[[nodiscard]] std::vector<Parameter> free_parameters(const Configuration& configuration);
+[[nodiscard]] std::vector<Parameter> free_parameters(const FitSettings& settings);
+
+/// The wavelengths that a fit uses.
+[[nodiscard]] WavelengthWindow window_of(const FitSettings& settings);
 
 }  // namespace skinfit

@@ -27,7 +27,7 @@ void check_range(double first_nm, double last_nm, const std::string& where) {
          .remedy = "choose wavelengths inside that range"});
 }
 
-std::string free_names(const Configuration& configuration) {
+std::string free_names(const FitSettings& configuration) {
     std::string names;
     for (const Parameter parameter : free_parameters(configuration)) {
         names += (names.empty() ? "" : ", ") + std::string(info(parameter).name);
@@ -37,7 +37,7 @@ std::string free_names(const Configuration& configuration) {
 
 }  // namespace
 
-void check_freedom(const Configuration& configuration, const std::string& where) {
+void check_freedom(const FitSettings& configuration, const std::string& where) {
     const std::vector<Parameter> free = free_parameters(configuration);
     const bool skin_is_free =
         std::ranges::any_of(free, [](Parameter parameter) { return !belongs_to_instrument(parameter); });

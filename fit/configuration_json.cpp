@@ -193,6 +193,10 @@ Json to_json(const Configuration& configuration) {
     return json;
 }
 
+Json to_json(const ResolvedConfiguration& configuration) {
+    return to_json(as_stated(configuration));
+}
+
 Json configuration_schema() {
     Json properties;
     for (const Setting& setting : setting_table()) {

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "fit/configuration.hpp"
+#include "fit/resolution.hpp"
 #include "fit/settings.hpp"
 
 namespace skinfit {
@@ -33,7 +34,11 @@ namespace skinfit {
 [[nodiscard]] Configuration with_own(Configuration configuration, std::string_view names, const std::string& where);
 
 /// The whole configuration, such that `configured(default_configuration(), to_json(c), ...)` is c again.
+/// Edition and layers that are left open stand as their defaults.
 [[nodiscard]] Json to_json(const Configuration& configuration);
+
+/// The same of what is decided.
+[[nodiscard]] Json to_json(const ResolvedConfiguration& configuration);
 
 /// The JSON Schema (draft 7) of a configuration.
 [[nodiscard]] Json configuration_schema();

@@ -22,7 +22,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// The problem of fitting the spectrum that the configuration itself predicts; what was measured does not matter.
-FitProblem planned_problem(const Configuration& configuration, const std::vector<double>& wavelength_nm) {
+FitProblem planned_problem(const ResolvedConfiguration& configuration, const std::vector<double>& wavelength_nm) {
     Spectrum spectrum{};
     spectrum.source = "design";
     spectrum.wavelength_nm = wavelength_nm;
@@ -140,7 +140,7 @@ std::vector<Index> best_rows(const MatrixXd& jacobian, const VectorXd& prior_sig
 }
 
 Design design(const Configuration& configuration, const DesignRequest& request) {
-    Configuration complete = resolved(configuration, Spectrum{});
+    ResolvedConfiguration complete = resolved(configuration);
     complete.free[static_cast<std::size_t>(request.parameter)] = true;
     Design result{.configuration = complete,
                   .parameter = request.parameter,
@@ -154,7 +154,7 @@ Design design(const Configuration& configuration, const DesignRequest& request) 
     complete.wavelength_max_nm = result.wavelength_nm.back();
     const FitProblem problem = planned_problem(complete, result.wavelength_nm);
     const Objective objective(problem, make_models(problem, complete.engine, request.cache));
-    const MatrixXd jacobian = objective.model(starts(problem)).jacobian / complete.noise.value();
+    const MatrixXd jacobian = objective.model(starts(problem)).jacobian / complete.noise;
     const Index column = column_of(problem, request.parameter);
     check_request(request, jacobian, column);
     VectorXd prior(jacobian.cols());

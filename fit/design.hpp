@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/configuration.hpp"
+#include "fit/resolution.hpp"
 #include "fit/settings.hpp"
 #include "model/disk_cache.hpp"
 
@@ -30,7 +30,7 @@ struct DetectionLimit {
 
 /// A planned measurement.
 struct Design {
-    Configuration configuration;  ///< with everything filled in that the defaults decide
+    ResolvedConfiguration configuration;
     Parameter parameter;
     double value;                       ///< around which the limits hold
     std::vector<double> wavelength_nm;  ///< the candidates

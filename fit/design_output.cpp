@@ -30,8 +30,8 @@ std::string design_text(const Design& design) {
     const ParameterInfo& row = info(design.parameter);
     std::string text =
         fmt::format("{} around {:.6g}{}{}, noise {:g}, {} wavelengths from {:g} to {:g} nm\n", row.name, design.value,
-                    row.unit.empty() ? "" : " ", row.unit, design.configuration.noise.value(),
-                    design.wavelength_nm.size(), design.wavelength_nm.front(), design.wavelength_nm.back());
+                    row.unit.empty() ? "" : " ", row.unit, design.configuration.noise, design.wavelength_nm.size(),
+                    design.wavelength_nm.front(), design.wavelength_nm.back());
     if (design.configuration.discrepancy) {
         text += "of noise alone: the discrepancy is not counted, so a fit with it finds less\n";
     }
@@ -55,7 +55,7 @@ std::string design_csv(const Design& design) {
         fmt::format("# skinfit {} design\nparameter,value,noise,wavelengths,others,sigma,detection_limit\n", version);
     const auto row = [&](std::size_t wavelengths, std::string_view words, const DetectionLimit& limit) {
         text += fmt::format("{},{},{},{},{},{},{}\n", info(design.parameter).name, design.value,
-                            design.configuration.noise.value(), wavelengths, words, limit.sigma, limit.limit);
+                            design.configuration.noise, wavelengths, words, limit.sigma, limit.limit);
     };
     row(design.wavelength_nm.size(), "free", design.others_free);
     row(design.wavelength_nm.size(), "fixed", design.others_fixed);
@@ -70,7 +70,7 @@ Json design_json(const Design& design) {
     Json json = {{"parameter", info(design.parameter).name},
                  {"unit", info(design.parameter).unit},
                  {"value", design.value},
-                 {"noise", design.configuration.noise.value()},
+                 {"noise", design.configuration.noise},
                  {"wavelength_nm", design.wavelength_nm},
                  {"alpha", 0.05},
                  {"power", 0.8},

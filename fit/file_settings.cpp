@@ -25,8 +25,10 @@ void refuse_slips(const Spectrum& spectrum) {
     }
 }
 
-Configuration with_settings_of(Configuration configuration, const Spectrum& spectrum) {
+/// What the file states, and nothing else.
+Configuration stated_in(const Spectrum& spectrum) {
     refuse_slips(spectrum);
+    Configuration configuration;
     for (const std::string_view key : keys) {
         const FileNote* stated = nullptr;
         for (const FileNote& note : spectrum.notes) {
@@ -48,16 +50,20 @@ Configuration with_settings_of(Configuration configuration, const Spectrum& spec
 }  // namespace
 
 Configuration with_file_settings(const Configuration& configuration, std::span<const Spectrum> spectra) {
-    Configuration first = with_settings_of(configuration, spectra.front());
+    const Configuration first = stated_in(spectra.front());
     for (const Spectrum& spectrum : spectra.subspan(1)) {
-        const Configuration other = with_settings_of(configuration, spectrum);
-        if (to_json(other) == to_json(first)) continue;
+        const Configuration other = stated_in(spectrum);
+        if (other.edition == first.edition && other.layers == first.layers && other.base == first.base) continue;
         throw InputError({.where = fmt::format("{}, {}", spectra.front().source, spectrum.source),
                           .problem = "state different editions, layers or bases",
                           .why = "spectra that are explained together need one model",
                           .remedy = "fit them apart, or correct the comments of one"});
     }
-    return first;
+    Configuration complete = configuration;
+    if (!complete.edition) complete.edition = first.edition;
+    if (!complete.layers) complete.layers = first.layers;
+    if (!complete.base) complete.base = first.base;
+    return complete;
 }
 
 }  // namespace skinfit

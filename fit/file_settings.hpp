@@ -7,8 +7,9 @@
 
 namespace skinfit {
 
-/// `configuration` with the edition, layers and base that the files' comments state, as a simulated spectrum does.
-/// Throws InputError for a word that is none of theirs, for a key given twice and for files that contradict each other.
+/// `configuration` with what it leaves unset of edition, layers and base as the files' comments state it, as a
+/// simulated spectrum does. Throws InputError for a word that is none of theirs, for a key given twice and for files
+/// that contradict each other.
 [[nodiscard]] Configuration with_file_settings(const Configuration& configuration, std::span<const Spectrum> spectra);
 
 }  // namespace skinfit

@@ -39,7 +39,7 @@ Search search(const Objective& cheap, const Objective& objective, Solver solver,
 /// Of each other solver, from the configured start. The angular solver takes so long that methods without derivatives
 /// are stopped after a few seconds' worth of evaluations; their answers stand as they are.
 std::vector<SolverAnswer> other_answers(const Objective& cheap, const Objective& objective,
-                                        const Configuration& configuration, const FitWatch& watch) {
+                                        const FitSettings& configuration, const FitWatch& watch) {
     SearchLimits limits;
     if (configuration.engine == Engine::solver) limits = {.cheap_evaluations = 600, .evaluations = 60};
     std::vector<SolverAnswer> answers;
@@ -62,7 +62,7 @@ struct AfterSearch {
 };
 
 AfterSearch after_search(const Objective& cheap, const Objective& objective, const Minimum& minimum,
-                         const Configuration& configuration, const FitOptions& options) {
+                         const FitSettings& configuration, const FitOptions& options) {
     AfterSearch after;
     try {
         after.inference = infer(objective, minimum, configuration.uncertainty, configuration.seed);
@@ -70,8 +70,9 @@ AfterSearch after_search(const Objective& cheap, const Objective& objective, con
     } catch (const Cancelled&) {
         if (!options.watch.keeps_partial_result) throw;
         if (!after.inference)
-            after.unfinished.push_back(fmt::format("the intervals by {} (those shown are by covariance)",
-                                                   to_json(configuration)["uncertainty"].get<std::string>()));
+            after.unfinished.push_back(
+                fmt::format("the intervals by {} (those shown are by covariance)",
+                            uncertainty_names[static_cast<std::size_t>(configuration.uncertainty)]));
         if (options.cross_check) after.unfinished.emplace_back("the cross-check");
     }
     return after;
@@ -117,7 +118,7 @@ void add_model_band(const std::vector<Bounds>& band, std::vector<FittedSpectrum>
     }
 }
 
-std::vector<FittedParameter> fixed_rows(const Configuration& configuration) {
+std::vector<FittedParameter> fixed_rows(const FitSettings& configuration) {
     std::vector<FittedParameter> rows;
     for (const ParameterInfo& info : parameter_table()) {
         const auto place = static_cast<std::size_t>(info.parameter);
@@ -138,10 +139,10 @@ std::vector<FittedParameter> fixed_rows(const Configuration& configuration) {
 
 }  // namespace
 
-FitResult fit_spectra(const Configuration& configuration, std::span<const Spectrum> spectra,
-                      const FitOptions& options) {
-    check_freedom(configuration, "free");
-    const FitProblem problem = make_problem(configuration, spectra);
+FitResult fit_spectra(const FitInput& input, const FitOptions& options) {
+    check_freedom(input.parts.front().configuration, "free");
+    const FitProblem problem = make_problem(input);
+    const FitSettings& configuration = problem.measurements.front().configuration;
     const FitWatch& watch = options.watch;
     watch.tell({.stage = "preparing the model", .done = 0, .total = 1});
     const std::vector<ForwardModel> models =
@@ -162,11 +163,11 @@ FitResult fit_spectra(const Configuration& configuration, std::span<const Spectr
     const Minimum& minimum = inference.minimum;
 
     FitResult result;
-    result.configuration = spectra.size() == 1 ? resolved(configuration, spectra.front()) : configuration;
+    result.configuration = problem.measurements.size() == 1 ? as_stated(problem.only().configuration) : input.stated;
     if (!after.inference) result.configuration.uncertainty = UncertaintyMethod::covariance;
     result.unfinished = std::move(after.unfinished);
     result.findings = options.findings;
-    describe_misfit(objective, minimum, spectra, result);
+    describe_misfit(objective, minimum, result);
     add_model_band(model_band(objective, inference), result.spectra);
     result.free = free_rows(problem, minimum, inference.uncertainty);
     result.fixed = fixed_rows(configuration);
@@ -185,6 +186,11 @@ FitResult fit_spectra(const Configuration& configuration, std::span<const Spectr
     result.verdict = diagnosis.verdict;
     result.reasons = diagnosis.reasons;
     return result;
+}
+
+FitResult fit_spectra(const Configuration& configuration, std::span<const Spectrum> spectra,
+                      const FitOptions& options) {
+    return fit_spectra(fit_input(configuration, spectra), options);
 }
 
 FitResult fit_spectrum(const Configuration& configuration, const Spectrum& spectrum, const FitOptions& options) {

@@ -7,6 +7,7 @@
 #include "fit/configuration.hpp"
 #include "fit/fit_watch.hpp"
 #include "fit/models.hpp"
+#include "fit/resolution.hpp"
 #include "fit/result.hpp"
 #include "measurements/quality.hpp"
 #include "measurements/spectrum.hpp"
@@ -24,10 +25,13 @@ struct FitOptions {
     FitWatch watch{};
 };
 
-/// Explains all `spectra` (at least one) together as `configuration` says. Throws InputError for a problem that makes
+/// Explains all spectra of `input` together. Throws InputError for a problem that makes
 /// no sense (`make_problem`); a fit that ends badly is a result with a verdict, and one that is cancelled throws
 /// Cancelled within about 0.2 s, at the next evaluation of the model or while one is made, but where
 /// `watch.keeps_partial_result` and a minimum is found already: then the result says what is `unfinished`.
+[[nodiscard]] FitResult fit_spectra(const FitInput& input, const FitOptions& options);
+
+/// The same of `fit_input`.
 [[nodiscard]] FitResult fit_spectra(const Configuration& configuration, std::span<const Spectrum> spectra,
                                     const FitOptions& options);
 

@@ -55,7 +55,7 @@ std::vector<AngularRow> angular_rows(const GoniophotometerRun& run) {
 
 /// The settings that matter to a goniophotometer, and whatever is needed to repeat the run.
 Json settings(const GoniophotometerRun& run) {
-    const Json all = to_json(resolved(run.configuration, Spectrum{}));
+    const Json all = to_json(resolved(run.configuration));
     Json json = {{"version", version}};
     for (const char* key : {"edition", "rays", "seed", "layers", "base", "incidence_deg", "wavelengths"}) {
         json[key] = all[key];
@@ -110,7 +110,7 @@ Json map_json(const GoniophotometerRun& run, Light light) {
 
 Json with_configuration(Json json, const GoniophotometerRun& run) {
     json["settings"] = settings(run);
-    json["configuration"] = to_json(resolved(run.configuration, Spectrum{}));
+    json["configuration"] = to_json(resolved(run.configuration));
     return json;
 }
 

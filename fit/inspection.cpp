@@ -1,9 +1,12 @@
 #include "fit/inspection.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
-#include "fit/problem.hpp"
+#include "measurements/quality_checks.hpp"
 #include "model/chromophores.hpp"
 
 namespace skinfit {
@@ -56,27 +59,81 @@ std::optional<double> step_of(const std::vector<Spectrum>& spectra) {
     return step;
 }
 
+ModelledRange tables() {
+    const WavelengthRange modelled = modelled_wavelengths();
+    return {.lowest_nm = modelled.lowest_nm, .highest_nm = modelled.highest_nm};
+}
+
+/// What a fit uses of `spectrum`, measured as is decided.
+Spectrum as_fitted(const ResolvedConfiguration& configuration, const Spectrum& spectrum) {
+    Spectrum used = part_of(spectrum, window_of(configuration));
+    used.quantity = configuration.quantity;
+    used.geometry = {.incidence_deg = configuration.incidence_deg,
+                     .specular = configuration.specular,
+                     .viewing_cone_deg = configuration.viewing_cone_deg};
+    return used;
+}
+
+/// Without the dermis a sample has no blood to find.
+void forget_hemoglobin_without_dermis(std::vector<Finding>& findings, const ResolvedConfiguration& configuration) {
+    if (configuration.layers == 4) return;
+    std::erase_if(findings, [](const Finding& each) { return each.name == "no_hemoglobin"; });
+}
+
+/// A finding to which only readings outside the window give cause.
+Finding as_note(Finding finding, const WavelengthWindow& window) {
+    if (finding.severity == Severity::note) return finding;
+    finding.severity = Severity::note;
+    const std::string fit = fmt::format("a fit from {:g} to {:g} nm", window.range.lowest_nm, window.range.highest_nm);
+    finding.message += fmt::format("; {} does not use these readings", fit);
+    finding.remedy = fmt::format("none is needed for {}; for another window: {}", fit, finding.remedy);
+    return finding;
+}
+
 }  // namespace
 
+WavelengthWindow usual_window() {
+    return window_of(default_configuration());
+}
+
 std::vector<Finding> findings_in(std::span<const Spectrum> spectra) {
-    const WavelengthRange modelled = modelled_wavelengths();
-    return quality_findings(spectra, {.lowest_nm = modelled.lowest_nm, .highest_nm = modelled.highest_nm});
+    const WavelengthWindow window = usual_window();
+    std::vector<Spectrum> used;
+    for (const Spectrum& spectrum : spectra) {
+        used.push_back(part_of(spectrum, window));
+        if (used.back().value.empty()) used.back() = spectrum;
+    }
+    std::vector<Finding> findings = quality_findings(used, tables());
+    for (Finding& finding : quality_findings(spectra, tables())) {
+        const bool is_known = std::ranges::any_of(findings, [&](const Finding& each) {
+            return each.name == finding.name && each.spectrum == finding.spectrum;
+        });
+        if (!is_known) findings.push_back(as_note(std::move(finding), window));
+    }
+    return findings;
+}
+
+std::vector<Finding> findings_before_fit(const ResolvedConfiguration& configuration, const Spectrum& spectrum) {
+    const Spectrum used = as_fitted(configuration, spectrum);
+    std::vector<Finding> findings = quality_findings({&used, 1}, tables());
+    forget_hemoglobin_without_dermis(findings, configuration);
+    return findings;
+}
+
+std::vector<Finding> findings_before_fit(const FitInput& input) {
+    std::vector<Spectrum> used;
+    for (const FitInput::Part& part : input.parts) used.push_back(as_fitted(part.configuration, part.spectrum));
+    std::vector<Finding> findings = quality_findings(used, tables());
+    for (const FitInput::Part& part : input.parts) {
+        if (!part_of(part.spectrum, window_of(part.configuration)).value.empty()) continue;
+        if (auto finding = outside_tables(part.spectrum, tables())) findings.push_back(std::move(*finding));
+    }
+    forget_hemoglobin_without_dermis(findings, input.parts.front().configuration);
+    return findings;
 }
 
 std::vector<Finding> findings_before_fit(const Configuration& configuration, std::span<const Spectrum> spectra) {
-    std::vector<Spectrum> as_fitted(spectra.begin(), spectra.end());
-    for (Spectrum& spectrum : as_fitted) {
-        const Configuration complete = resolved(configuration, spectrum);
-        spectrum.quantity = complete.quantity;
-        spectrum.geometry = {.incidence_deg = complete.incidence_deg,
-                             .specular = complete.specular,
-                             .viewing_cone_deg = complete.viewing_cone_deg};
-    }
-    std::vector<Finding> findings = findings_in(as_fitted);
-    // Without the dermis a sample has no blood to find.
-    const bool has_dermis = configuration.layers == 4;
-    if (!has_dermis) std::erase_if(findings, [](const Finding& each) { return each.name == "no_hemoglobin"; });
-    return findings;
+    return findings_before_fit(fit_input(configuration, spectra));
 }
 
 Inspection inspected(SpectrumFile file) {

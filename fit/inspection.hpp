@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/configuration.hpp"
+#include "fit/resolution.hpp"
 #include "fit/settings.hpp"
 #include "measurements/quality.hpp"
 #include "measurements/spectrum_file.hpp"
@@ -32,11 +32,22 @@ struct Inspection {
     std::vector<Finding> findings;
 };
 
-/// The findings on spectra of one set, by the tables of the model.
+/// The wavelengths that a fit uses which is not told otherwise: 400 to 700 nm.
+[[nodiscard]] WavelengthWindow usual_window();
+
+/// The findings on spectra of one set, by the tables of the model: first those on what lies in `usual_window`, then, as
+/// notes, those to which only the rest gives cause. Of a spectrum that has nothing in that window all counts.
 [[nodiscard]] std::vector<Finding> findings_in(std::span<const Spectrum> spectra);
 
-/// The findings on spectra that are to be fitted, with quantity and geometry as `configuration` resolves them;
-/// hemoglobin is looked for where there are four layers.
+/// The findings on what the fit uses of its spectra, with quantity and geometry as they are resolved; hemoglobin is
+/// looked for where there are four layers. Of a spectrum of which nothing is used: whether it lies outside the tables.
+[[nodiscard]] std::vector<Finding> findings_before_fit(const FitInput& input);
+
+/// The same of one spectrum of which the fit uses something, decided alike for many.
+[[nodiscard]] std::vector<Finding> findings_before_fit(const ResolvedConfiguration& configuration,
+                                                       const Spectrum& spectrum);
+
+/// The same of `fit_input`.
 [[nodiscard]] std::vector<Finding> findings_before_fit(const Configuration& configuration,
                                                        std::span<const Spectrum> spectra);
 

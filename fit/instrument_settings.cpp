@@ -14,11 +14,10 @@ Setting instrument() {
                 configuration.instrument.reset();
                 if (value.is_null()) return;
                 if (!value.is_string()) refuse(where, value, "a name is needed", "give a name or a file");
-                (void)find_instrument(value.get<std::string>(), where);
-                configuration.instrument = value.get<std::string>();
+                configuration.instrument = find_instrument(value.get<std::string>(), where);
             },
             [](const Configuration& configuration) {
-                return configuration.instrument ? Json(*configuration.instrument) : Json();
+                return configuration.instrument ? Json(configuration.instrument->name) : Json();
             }};
 }
 

@@ -7,8 +7,9 @@
 #include <utility>
 
 #include "core/input_error.hpp"
-#include "fit/named_instrument.hpp"
 #include "fit/viewing.hpp"
+#include "measurements/text_reader.hpp"
+#include "measurements/wavelength_window.hpp"
 #include "model/constants.hpp"
 
 namespace skinfit {
@@ -18,26 +19,22 @@ bool lies_in(double wavelength_nm, const Bounds& range_nm) {
     return wavelength_nm >= range_nm.lower && wavelength_nm <= range_nm.upper;
 }
 
-bool is_fitted(double wavelength_nm, const Configuration& configuration) {
-    return lies_in(wavelength_nm, {configuration.wavelength_min_nm, configuration.wavelength_max_nm}) &&
-           std::ranges::none_of(configuration.exclude_nm,
-                                [&](const Bounds& range_nm) { return lies_in(wavelength_nm, range_nm); });
-}
-
-double weight_at(double wavelength_nm, const Configuration& configuration) {
+double weight_at(double wavelength_nm, const ResolvedConfiguration& configuration) {
     const auto found = std::ranges::find_if(
         configuration.weights, [&](const Weight& weight) { return lies_in(wavelength_nm, weight.range_nm); });
     return found == configuration.weights.end() ? 1.0 : found->weight;
 }
 
-void take_data(Measurement& measurement, const Configuration& configuration, const Spectrum& spectrum) {
-    for (std::size_t i = 0; i < spectrum.wavelength_nm.size(); ++i) {
-        const double wavelength_nm = spectrum.wavelength_nm[i];
-        if (!is_fitted(wavelength_nm, configuration)) continue;
-        measurement.wavelength_nm.push_back(wavelength_nm);
-        measurement.measured.push_back(spectrum.value[i]);
-        measurement.sigma.push_back(spectrum.sigma.empty() ? configuration.noise.value() : spectrum.sigma[i]);
-        if (!configuration.weights.empty()) measurement.weight.push_back(weight_at(wavelength_nm, configuration));
+void take_data(Measurement& measurement, const ResolvedConfiguration& configuration, const Spectrum& spectrum) {
+    const Spectrum used = part_of(spectrum, window_of(configuration));
+    refuse_repeated(used);
+    for (std::size_t i = 0; i < used.wavelength_nm.size(); ++i) {
+        refuse_sigma(used, i, [&](std::size_t) { return ValuePlace{.where = used.source}; });
+        measurement.wavelength_nm.push_back(used.wavelength_nm[i]);
+        measurement.measured.push_back(used.value[i]);
+        measurement.sigma.push_back(used.sigma.empty() ? configuration.noise : used.sigma[i]);
+        if (!configuration.weights.empty())
+            measurement.weight.push_back(weight_at(used.wavelength_nm[i], configuration));
     }
     if (measurement.wavelength_nm.empty()) {
         const bool excluded = !configuration.exclude_nm.empty();
@@ -57,7 +54,7 @@ void take_data(Measurement& measurement, const Configuration& configuration, con
     }
 }
 
-void check_wavelengths(const Configuration& configuration, const Spectrum& spectrum) {
+void check_wavelengths(const ResolvedConfiguration& configuration, const Spectrum& spectrum) {
     if (configuration.wavelength_min_nm > configuration.wavelength_max_nm) {
         throw InputError({.where = "wavelength_min_nm, wavelength_max_nm",
                           .problem = fmt::format("{} nm is not below {} nm", configuration.wavelength_min_nm,
@@ -85,27 +82,6 @@ void check_wavelengths(const Configuration& configuration, const Spectrum& spect
                                                 "wavelength_min_nm=... and wavelength_max_nm=... within {} to {} nm",
                                                 modelled.lowest_nm, modelled.highest_nm)});
     }
-}
-
-/// The geometry where neither the configuration nor its instrument nor a file states it.
-Configuration with_default_geometry(Configuration configuration) {
-    configuration = with_instrument(std::move(configuration));
-    const bool cone = configuration.viewing_cone_deg.has_value();
-    configuration.incidence_deg =
-        configuration.incidence_deg.value_or(cone ? default_incidence_deg_with_cone : default_incidence_deg);
-    configuration.specular = configuration.specular.value_or(cone ? default_specular_with_cone : default_specular);
-    return configuration;
-}
-
-/// What the file states is taken where neither the configuration nor its instrument does, and after that the instrument
-/// that the file names, if it is one of ours.
-Configuration with_file(Configuration configuration, const Spectrum& spectrum) {
-    configuration = with_instrument(std::move(configuration));
-    configuration = with_stated(std::move(configuration), spectrum.geometry, spectrum.bandpass);
-    const std::vector<std::string> names = instrument_names();
-    if (configuration.instrument || std::ranges::find(names, spectrum.instrument) == names.end()) return configuration;
-    configuration.instrument = spectrum.instrument;
-    return with_instrument(std::move(configuration));
 }
 
 /// The bands of the readings must not lead the model outside the tables.
@@ -143,49 +119,23 @@ void check_sum(const Measurement& reflected, const Measurement& transmitted) {
 
 }  // namespace
 
-Experiment make_experiment(const Configuration& configuration) {
-    const Configuration complete = with_default_geometry(configuration);
-    std::optional<double> viewing_cone_rad;
-    if (complete.viewing_cone_deg) viewing_cone_rad = *complete.viewing_cone_deg * rad_per_deg;
-    return {.values = configuration.values,
-            .edition = configuration.edition,
-            .layers = configuration.layers,
-            .base = resolved_base(configuration),
-            .incidence_rad = *complete.incidence_deg * rad_per_deg,
-            .specular = *complete.specular,
-            .viewing_cone_rad = viewing_cone_rad};
-}
-
-Configuration resolved(Configuration configuration, const Spectrum& spectrum) {
-    configuration = with_default_geometry(with_file(std::move(configuration), spectrum));
-    configuration.bandpass_width_nm = configuration.bandpass_width_nm.value_or(0.0);
-    configuration.bandpass_shape = configuration.bandpass_shape.value_or(BandpassShape::triangular);
-    configuration.base = resolved_base(configuration);
-    configuration.noise = configuration.noise.value_or(default_noise);
-    configuration.quantity = configuration.quantity.value_or(spectrum.quantity.value_or(default_quantity));
-    return configuration;
-}
-
-std::optional<Bandpass> bandpass_of(const Configuration& configuration) {
-    const double width_nm = configuration.bandpass_width_nm.value_or(0.0);
-    if (width_nm == 0.0) return std::nullopt;
-    return Bandpass{.shape = configuration.bandpass_shape.value_or(BandpassShape::triangular), .width_nm = width_nm};
-}
-
-Measurement make_measurement(const Configuration& configuration, const Spectrum& spectrum) {
+Measurement make_measurement(const ResolvedConfiguration& configuration, const Spectrum& spectrum) {
     check_viewing_cone(configuration);
     check_wavelengths(configuration, spectrum);
     Measurement measurement{
+        .name = spectrum.name,
         .source = spectrum.source,
+        .unit_rule = spectrum.unit_rule,
+        .configuration = configuration,
         .experiment = make_experiment(configuration),
-        .quantity = configuration.quantity.value(),
+        .quantity = configuration.quantity,
         .wavelength_nm = {},
         .measured = {},
         .sigma = {},
         .sigma_source = spectrum.sigma.empty()
-                            ? fmt::format("{} at every wavelength (setting noise)", configuration.noise.value())
+                            ? fmt::format("{} at every wavelength (setting noise)", configuration.noise)
                             : spectrum.sigma_source,
-        .walk = {.incidence_rad = configuration.incidence_deg.value() * rad_per_deg,
+        .walk = {.incidence_rad = configuration.incidence_deg * rad_per_deg,
                  .rays = configuration.rays,
                  .seed = configuration.seed}};
     take_data(measurement, configuration, spectrum);

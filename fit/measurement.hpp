@@ -1,12 +1,11 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "fit/band_sampling.hpp"
-#include "fit/configuration.hpp"
+#include "fit/resolution.hpp"
 #include "measurements/spectrum.hpp"
 #include "model/spectrophotometer.hpp"
 
@@ -14,7 +13,10 @@ namespace skinfit {
 
 /// One measured spectrum, and the experiment that is to explain it.
 struct Measurement {
+    std::string name;       ///< of the specimen
     std::string source;     ///< the file it came from
+    std::string unit_rule;  ///< how the unit of its values was found, in words
+    ResolvedConfiguration configuration;
     Experiment experiment;  ///< fixed values, and the starts of the free ones
     Quantity quantity = Quantity::reflectance;
     std::vector<double> wavelength_nm;  ///< within the window of the fit
@@ -26,20 +28,11 @@ struct Measurement {
     BandSampling bands{};          ///< of the wavelengths
 };
 
-/// The experiment that `configuration` describes; its instrument and the defaults fill in what it leaves open. Throws
-/// InputError for an instrument that is unknown or malformed, and for a hypodermis below two layers.
-[[nodiscard]] Experiment make_experiment(const Configuration& configuration);
-
-/// `configuration` with everything filled in that the spectrum or the defaults decide. Throws as `make_experiment`.
-[[nodiscard]] Configuration resolved(Configuration configuration, const Spectrum& spectrum);
-
-/// The bandpass of a resolved configuration; none where it has no width.
-[[nodiscard]] std::optional<Bandpass> bandpass_of(const Configuration& resolved_configuration);
-
-/// `spectrum` as the fit takes it. Throws InputError for no wavelengths in the window, for wavelengths or bands outside
-/// the tables, for a constant spectrum, for a viewing cone that the engine or geometry cannot have, and as
-/// `make_experiment`.
-[[nodiscard]] Measurement make_measurement(const Configuration& resolved_configuration, const Spectrum& spectrum);
+/// `spectrum` as the fit takes it: what lies in the window, which alone is looked at. Throws InputError for no
+/// wavelengths in the window, for wavelengths or bands outside the tables, for a wavelength that comes twice, for
+/// uncertainties that are missing or not above 0, for a constant spectrum, and for a viewing cone that the engine or
+/// geometry cannot have.
+[[nodiscard]] Measurement make_measurement(const ResolvedConfiguration& configuration, const Spectrum& spectrum);
 
 /// Throws InputError where two of the measurements hold the same values, which would count twice, or where a
 /// reflectance and a transmittance of one specimen add up to more than 1 by more than their noise explains.

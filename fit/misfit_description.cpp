@@ -30,20 +30,18 @@ double mean_square(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 /// Of all measurements, in their order; readings and residuals are those of the whole problem.
-std::vector<FittedSpectrum> fitted_spectra(const FitProblem& problem, const Configuration& configuration,
-                                           std::span<const Spectrum> spectra, const Eigen::VectorXd& readings,
+std::vector<FittedSpectrum> fitted_spectra(const FitProblem& problem, const Eigen::VectorXd& readings,
                                            const Eigen::VectorXd& residuals) {
     std::vector<FittedSpectrum> fitted;
     Eigen::Index first = 0;
-    for (std::size_t k = 0; k < spectra.size(); ++k) {
-        const Measurement& measurement = problem.measurements[k];
+    for (const Measurement& measurement : problem.measurements) {
         const auto count = static_cast<Eigen::Index>(measurement.measured.size());
         const Eigen::VectorXd modelled = readings.segment(first, count);
-        FittedSpectrum row{.name = spectra[k].name,
-                           .source = spectra[k].source,
-                           .unit_rule = spectra[k].unit_rule,
+        FittedSpectrum row{.name = measurement.name,
+                           .source = measurement.source,
+                           .unit_rule = measurement.unit_rule,
                            .sigma_source = measurement.sigma_source,
-                           .configuration = resolved(configuration, spectra[k]),
+                           .configuration = measurement.configuration,
                            .chi2 = residuals.segment(first, count).squaredNorm(),
                            .wavelength_nm = measurement.wavelength_nm,
                            .measured = measurement.measured,
@@ -109,11 +107,9 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-void describe_misfit(const Objective& objective, const Minimum& minimum, std::span<const Spectrum> spectra,
-                     FitResult& result) {
+void describe_misfit(const Objective& objective, const Minimum& minimum, FitResult& result) {
     const Objective::Modelled modelled = objective.model(minimum.values);
-    result.spectra = fitted_spectra(objective.problem(), result.configuration, spectra, modelled.reading,
-                                    objective.residuals(modelled.reading));
+    result.spectra = fitted_spectra(objective.problem(), modelled.reading, objective.residuals(modelled.reading));
     result.rmse = root_mean_square(result.spectra);
     result.chi2 = minimum.chi2;
     result.cost = minimum.cost;

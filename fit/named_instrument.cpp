@@ -81,11 +81,15 @@ std::vector<std::string> instrument_names() {
 
 NamedInstrument find_instrument(const std::string& name_or_file, const std::string& where) {
     for (const EmbeddedFile& file : instrument_files::embedded_files()) {
-        if (stem(file) == name_or_file) return parse_instrument(file.text, std::string(file.name));
+        if (stem(file) != name_or_file) continue;
+        NamedInstrument instrument = parse_instrument(file.text, std::string(file.name));
+        instrument.name = name_or_file;
+        return instrument;
     }
     std::error_code error;
-    if (std::filesystem::is_regular_file(name_or_file, error)) {
-        return parse_instrument(read_file(name_or_file), name_or_file);
+    const std::filesystem::file_status found = std::filesystem::status(name_or_file, error);
+    if (std::filesystem::is_regular_file(found) || std::filesystem::is_fifo(found)) {
+        return parse_instrument(read_input(name_or_file), name_or_file);
     }
     throw InputError({.where = where,
                       .problem = fmt::format("there is no instrument \"{}\"", name_or_file),
@@ -100,7 +104,8 @@ NamedInstrument parse_instrument(std::string_view text, const std::string& sourc
     if (!json["description"].is_string()) {
         refuse(source + ".description", json["description"], "text is needed", example);
     }
-    NamedInstrument instrument{.description = json["description"].get<std::string>(),
+    NamedInstrument instrument{.name = source,
+                               .description = json["description"].get<std::string>(),
                                .geometry = geometry_of(json, source),
                                .aperture_mm = number_of(json, "aperture_mm", {0.01, 1000}, source),
                                .bandpass = bandpass_of(json["bandpass"], source + ".bandpass"),
@@ -113,26 +118,6 @@ NamedInstrument parse_instrument(std::string_view text, const std::string& sourc
         instrument.step_nm = number_of(grid, "step", {1e-3, 1000}, where);
     }
     return instrument;
-}
-
-Configuration with_stated(Configuration configuration, const Geometry& geometry,
-                          const std::optional<Bandpass>& bandpass) {
-    if (!configuration.incidence_deg) configuration.incidence_deg = geometry.incidence_deg;
-    if (!configuration.specular) configuration.specular = geometry.specular;
-    if (!configuration.viewing_cone_deg) configuration.viewing_cone_deg = geometry.viewing_cone_deg;
-    if (bandpass) {
-        if (!configuration.bandpass_shape) configuration.bandpass_shape = bandpass->shape;
-        if (!configuration.bandpass_width_nm) configuration.bandpass_width_nm = bandpass->width_nm;
-    }
-    return configuration;
-}
-
-Configuration with_instrument(Configuration configuration) {
-    if (!configuration.instrument) return configuration;
-    const NamedInstrument instrument = find_instrument(*configuration.instrument, "instrument");
-    configuration = with_stated(std::move(configuration), instrument.geometry, instrument.bandpass);
-    if (!configuration.noise) configuration.noise = instrument.noise;
-    return configuration;
 }
 
 }  // namespace skinfit

@@ -16,7 +16,7 @@ std::string key(const FreeParameter& free) {
     return fmt::format("free parameter {}", info(free.parameter).name);
 }
 
-void check_free(const FreeParameter& free, const Configuration& configuration) {
+void check_free(const FreeParameter& free, const FitSettings& configuration) {
     const ParameterInfo& row = info(free.parameter);
     if (free.parameter == Parameter::fold_aspect_ratio) {
         throw InputError({.where = key(free),
@@ -60,7 +60,7 @@ void check_prior(const FreeParameter& free, const Bounds& bounds) {
     }
 }
 
-FreeParameter free_parameter(const Configuration& configuration, Parameter parameter) {
+FreeParameter free_parameter(const FitSettings& configuration, Parameter parameter) {
     const auto i = static_cast<std::size_t>(parameter);
     FreeParameter free{.parameter = parameter,
                        .start = value_of(configuration.values, parameter),
@@ -75,7 +75,7 @@ FreeParameter free_parameter(const Configuration& configuration, Parameter param
     return free;
 }
 
-void check_own(const Configuration& configuration) {
+void check_own(const FitSettings& configuration) {
     for (const ParameterInfo& row : parameter_table()) {
         const auto place = static_cast<std::size_t>(row.parameter);
         if (!configuration.own[place] || configuration.free[place]) continue;
@@ -87,7 +87,7 @@ void check_own(const Configuration& configuration) {
 }
 
 /// Once for all measurements, or once for each where the parameter is its own.
-void add_free(const Configuration& configuration, Parameter parameter, FitProblem& problem) {
+void add_free(const FitSettings& configuration, Parameter parameter, FitProblem& problem) {
     FreeParameter free = free_parameter(configuration, parameter);
     const bool own = configuration.own[static_cast<std::size_t>(parameter)] && problem.measurements.size() > 1;
     if (!own) {
@@ -101,7 +101,7 @@ void add_free(const Configuration& configuration, Parameter parameter, FitProble
 }
 
 /// Those on quantities that the fit changes: of each measurement where a parameter of theirs is its own.
-void add_derived_priors(const Configuration& configuration, FitProblem& problem) {
+void add_derived_priors(const FitSettings& configuration, FitProblem& problem) {
     for (std::size_t i = 0; i < derived_count; ++i) {
         const std::optional<Prior>& prior = configuration.derived_priors[i];
         const auto quantity = static_cast<Derived>(i);
@@ -120,16 +120,16 @@ void add_derived_priors(const Configuration& configuration, FitProblem& problem)
 }
 
 void check_count(const FitProblem& problem) {
-    const auto priors = static_cast<std::size_t>(std::ranges::count_if(
-                            problem.free, [](const FreeParameter& free) { return free.prior.has_value(); })) +
-                        problem.derived_priors.size();
+    const auto with_prior = static_cast<std::size_t>(std::ranges::count_if(
+                                problem.free, [](const FreeParameter& free) { return free.prior.has_value(); })) +
+                            problem.derived_priors.size();
     std::size_t readings = 0;
     std::string sources;
     for (const Measurement& measurement : problem.measurements) {
         readings += measurement.wavelength_nm.size();
         sources += (sources.empty() ? "" : ", ") + measurement.source;
     }
-    if (readings + priors >= problem.free.size()) return;
+    if (readings + with_prior >= problem.free.size()) return;
     throw InputError({.where = sources,
                       .problem = fmt::format("{} wavelengths in the window of the fit for {} free parameters", readings,
                                              problem.free.size()),
@@ -184,7 +184,8 @@ std::string name_of(const FreeParameter& free) {
     return free.measurement ? fmt::format("{}[{}]", name, *free.measurement + 1) : std::string(name);
 }
 
-FitProblem make_problem(const Configuration& configuration, std::span<const Spectrum> spectra) {
+FitProblem make_problem(const FitInput& input) {
+    const FitSettings& configuration = input.parts.front().configuration;
     if (configuration.engine == Engine::walk) {
         throw InputError({.where = "engine",
                           .problem = "walk cannot be fitted",
@@ -197,8 +198,8 @@ FitProblem make_problem(const Configuration& configuration, std::span<const Spec
                        .discrepancy = configuration.discrepancy,
                        .loss = configuration.loss,
                        .loss_scale = configuration.loss_scale.value_or(default_loss_scale(configuration.loss))};
-    for (const Spectrum& spectrum : spectra) {
-        problem.measurements.push_back(make_measurement(resolved(configuration, spectrum), spectrum));
+    for (const FitInput::Part& part : input.parts) {
+        problem.measurements.push_back(make_measurement(part.configuration, part.spectrum));
     }
     check_consistency(problem.measurements);
     check_own(configuration);
@@ -215,8 +216,16 @@ FitProblem make_problem(const Configuration& configuration, std::span<const Spec
     return problem;
 }
 
+FitProblem make_problem(const Configuration& configuration, std::span<const Spectrum> spectra) {
+    return make_problem(fit_input(configuration, spectra));
+}
+
 FitProblem make_problem(const Configuration& configuration, const Spectrum& spectrum) {
     return make_problem(configuration, std::span(&spectrum, 1));
+}
+
+FitProblem make_problem(const ResolvedConfiguration& configuration, const Spectrum& spectrum) {
+    return make_problem({.stated = as_stated(configuration), .parts = {{configuration, spectrum}}});
 }
 
 }  // namespace skinfit

@@ -55,16 +55,20 @@ struct FitProblem {
     }
 };
 
-/// The problem of explaining all `spectra` (at least one) by one specimen, but for the parameters that `configuration`
-/// lists as `own`, which have a value in each. What `configuration` leaves open is resolved for each spectrum. Throws
-/// InputError where that makes no sense: no wavelengths in the window or outside the tables, a constant spectrum, fewer
-/// wavelengths and priors than free parameters, none free, a start outside its bounds, a parameter that this engine
-/// cannot adjust or that has no effect, a prior with its median outside the bounds or less than a tenth of its mass
-/// inside; the same values twice, or a reflectance and a transmittance that add up to more than 1. A prior on what is
-/// fixed has no effect, like the bounds of a fixed parameter.
+/// The problem of explaining all spectra of `input` by one specimen, but for the parameters that its configuration
+/// lists as `own`, which have a value in each. Throws InputError where that makes no sense: no wavelengths in the
+/// window or outside the tables, a constant spectrum, fewer wavelengths and priors than free parameters, none free, a
+/// start outside its bounds, a parameter that this engine cannot adjust or that has no effect, a prior with its median
+/// outside the bounds or less than a tenth of its mass inside; what `make_measurement` refuses; the same values twice,
+/// or a reflectance and a transmittance that add up to more than 1. A prior on what is fixed has no effect, like the
+/// bounds of a fixed parameter.
+[[nodiscard]] FitProblem make_problem(const FitInput& input);
+
+/// The same of `fit_input`.
 [[nodiscard]] FitProblem make_problem(const Configuration& configuration, std::span<const Spectrum> spectra);
 
 /// The same for one spectrum.
 [[nodiscard]] FitProblem make_problem(const Configuration& configuration, const Spectrum& spectrum);
+[[nodiscard]] FitProblem make_problem(const ResolvedConfiguration& configuration, const Spectrum& spectrum);
 
 }  // namespace skinfit

@@ -19,8 +19,8 @@ namespace skinfit {
 /// The value of a setting of `to_json(Configuration)`, as reports for people print it.
 [[nodiscard]] std::string setting_word(const Json& configuration, const char* key);
 
-/// Quantity, geometry and bandpass of a resolved configuration, in words.
-[[nodiscard]] std::string instrument_words(const Configuration& configuration);
+/// Quantity, geometry and bandpass of a fit, in words.
+[[nodiscard]] std::string instrument_words(const ResolvedConfiguration& configuration);
 
 /// The error of the computed readings, in words.
 [[nodiscard]] std::string model_error_words(const FitResult& result);

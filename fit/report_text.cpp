@@ -106,7 +106,7 @@ std::string cost_text(const FitResult& result) {
 }
 
 std::string model_text(const FitResult& result) {
-    const Configuration& configuration = result.spectra.front().configuration;
+    const ResolvedConfiguration& configuration = result.spectra.front().configuration;
     const Json json = to_json(configuration);
     const bool draws_rays = configuration.engine == Engine::paths || configuration.engine == Engine::walk;
     const std::string rays = draws_rays ? fmt::format(", {} rays", setting_word(json, "rays")) : "";
@@ -210,7 +210,7 @@ std::string search_words(const FitResult& result) {
     return text;
 }
 
-std::string instrument_words(const Configuration& configuration) {
+std::string instrument_words(const ResolvedConfiguration& configuration) {
     const Json json = to_json(configuration);
     const std::optional<Bandpass> band = bandpass_of(configuration);
     return fmt::format(

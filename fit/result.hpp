@@ -9,6 +9,7 @@
 #include "fit/inference.hpp"
 #include "fit/minimum.hpp"
 #include "fit/multistart.hpp"
+#include "fit/resolution.hpp"
 #include "fit/uncertainty.hpp"
 #include "measurements/quality.hpp"
 
@@ -41,9 +42,9 @@ struct FittedSpectrum {
     std::string source;
     std::string unit_rule;
     std::string sigma_source;
-    Configuration configuration;  ///< resolved for this spectrum
-    double rmse = 0.0;            ///< of reading minus measurement, fraction
-    double chi2 = 0.0;            ///< as `FitResult::chi2`, of this spectrum alone
+    ResolvedConfiguration configuration;
+    double rmse = 0.0;  ///< of reading minus measurement, fraction
+    double chi2 = 0.0;  ///< as `FitResult::chi2`, of this spectrum alone
     std::vector<double> wavelength_nm;
     std::vector<double> measured;
     std::vector<double> sigma;

@@ -19,7 +19,7 @@ std::vector<Parameter> all_parameters() {
 }  // namespace
 
 Sensitivity sensitivity(const Configuration& configuration) {
-    Sensitivity result{.configuration = resolved(configuration, Spectrum{}),
+    Sensitivity result{.configuration = resolved(configuration),
                        .wavelength_nm = parse_wavelengths(configuration.wavelengths, "wavelengths"),
                        .reading = {},
                        .parameters = {},
@@ -27,7 +27,7 @@ Sensitivity sensitivity(const Configuration& configuration) {
                        .derivative = {}};
     result.configuration.engine = Engine::solver;
     check_viewing_cone(result.configuration);
-    const Quantity quantity = result.configuration.quantity.value();
+    const Quantity quantity = result.configuration.quantity;
     const Experiment experiment = make_experiment(result.configuration);
     const ModelWavelengths wavelengths = model_wavelengths(experiment, result.wavelength_nm);
     const std::vector<Parameter> parameters = all_parameters();

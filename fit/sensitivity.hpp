@@ -5,15 +5,15 @@
 #include <vector>
 
 #include "core/geometry.hpp"
-#include "fit/configuration.hpp"
 #include "fit/plot.hpp"
+#include "fit/resolution.hpp"
 #include "fit/settings.hpp"
 
 namespace skinfit {
 
 /// How a reading answers to each parameter, across wavelength, without noise.
 struct Sensitivity {
-    Configuration configuration;            ///< with everything filled in that the defaults decide
+    ResolvedConfiguration configuration;
     std::vector<double> wavelength_nm;      ///< as the instrument states it
     std::vector<double> reading;            ///< fractions
     std::vector<Parameter> parameters;      ///< those with an effect at any of the wavelengths

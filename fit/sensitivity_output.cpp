@@ -11,7 +11,7 @@ namespace {
 using Index = Eigen::Index;
 
 std::string_view quantity_name(const Sensitivity& sensitivity) {
-    return quantity_names.at(static_cast<std::size_t>(sensitivity.configuration.quantity.value()));
+    return quantity_names.at(static_cast<std::size_t>(sensitivity.configuration.quantity));
 }
 
 Eigen::MatrixXd entries(const Sensitivity& sensitivity, Derivative derivative) {
@@ -77,17 +77,17 @@ Json sensitivity_json(const Sensitivity& sensitivity, Derivative derivative) {
 }
 
 Plot sensitivity_plot(const Sensitivity& sensitivity) {
-    const Configuration& configuration = sensitivity.configuration;
+    const ResolvedConfiguration& configuration = sensitivity.configuration;
     const std::string_view quantity = quantity_name(sensitivity);
     const auto cone_deg = configuration.viewing_cone_deg;
-    Plot plot{.title = fmt::format("Sensitivity of {}: edition {}, {} layers, incidence {} deg, specular {}{}",
-                                   quantity, word(to_json(configuration)["edition"]), configuration.layers,
-                                   configuration.incidence_deg.value(),
-                                   specular_names.at(static_cast<std::size_t>(configuration.specular.value())),
-                                   cone_deg ? fmt::format(", viewing cone {} deg", *cone_deg) : ""),
-              .x_label = "wavelength (nm)",
-              .y_label = fmt::format("parameter x d({}) / d(parameter)  (fraction)", quantity),
-              .lines = {}};
+    Plot plot{
+        .title = fmt::format("Sensitivity of {}: edition {}, {} layers, incidence {} deg, specular {}{}", quantity,
+                             word(to_json(configuration)["edition"]), configuration.layers, configuration.incidence_deg,
+                             specular_names.at(static_cast<std::size_t>(configuration.specular)),
+                             cone_deg ? fmt::format(", viewing cone {} deg", *cone_deg) : ""),
+        .x_label = "wavelength (nm)",
+        .y_label = fmt::format("parameter x d({}) / d(parameter)  (fraction)", quantity),
+        .lines = {}};
     const Eigen::MatrixXd relative = relative_derivative(sensitivity);
     for (std::size_t i = 0; i < sensitivity.parameters.size(); ++i) {
         const Parameter parameter = sensitivity.parameters[i];

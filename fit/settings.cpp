@@ -22,9 +22,9 @@ Enum read_name(const Json& value, const std::array<std::string_view, count>& nam
     return static_cast<Enum>(read_choice(value, names, where));
 }
 
-template <class Enum, std::size_t count>
+template <class Enum, class Owner, std::size_t count>
 Setting named(std::string_view name, std::string_view meaning, const std::array<std::string_view, count>& names,
-              Enum Configuration::*field) {
+              Enum Owner::*field) {
     return {name,
             meaning,
             {{"enum", names}},
@@ -37,9 +37,9 @@ Setting named(std::string_view name, std::string_view meaning, const std::array<
 }
 
 /// A named setting that null leaves to the measured file.
-template <class Enum, std::size_t count>
+template <class Enum, class Owner, std::size_t count>
 Setting named(std::string_view name, std::string_view meaning, const std::array<std::string_view, count>& names,
-              std::optional<Enum> Configuration::*field) {
+              std::optional<Enum> Owner::*field) {
     Json choices = names;
     choices.push_back(nullptr);
     return {name,
@@ -76,6 +76,18 @@ Setting count(std::string_view name, std::string_view meaning, std::uint64_t low
             [field](const Configuration& configuration) { return Json(configuration.*field); }};
 }
 
+Setting edition() {
+    return {"edition",
+            "which reading of the model's paper: see model/REFERENCES.md",
+            {{"enum", edition_names}},
+            [](Configuration& configuration, const Json& value, const std::string& where) {
+                configuration.edition = read_name<Edition>(value, edition_names, where);
+            },
+            [](const Configuration& configuration) {
+                return Json(edition_names[static_cast<std::size_t>(configuration.edition.value_or(default_edition))]);
+            }};
+}
+
 Setting layers() {
     return {"layers",
             "4: whole skin; 2: separated stratum corneum and epidermis",
@@ -87,7 +99,7 @@ Setting layers() {
                 }
                 configuration.layers = value.get<int>();
             },
-            [](const Configuration& configuration) { return Json(configuration.layers); }};
+            [](const Configuration& configuration) { return Json(configuration.layers.value_or(default_layers)); }};
 }
 
 constexpr Range base_index_range{1.0, 3.0};
@@ -178,8 +190,7 @@ std::vector<Setting> general_settings() {
     constexpr std::uint64_t most_rays = 10'000'000'000;
     constexpr std::uint64_t largest_seed = 9'007'199'254'740'991;  // 2^53 - 1: exact in any JSON reader
     return {
-        named("edition", "which reading of the model's paper: see model/REFERENCES.md", edition_names,
-              &Configuration::edition),
+        edition(),
         named(
             "engine",
             "how the model is computed (what fits it is the setting solver): paths: recorded walks, smooth; walk: the "

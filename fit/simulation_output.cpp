@@ -8,11 +8,11 @@
 namespace skinfit {
 namespace {
 
-/// `configuration` with what a simulation takes by default filled in.
-Configuration resolved_for_simulation(const Configuration& configuration) {
-    Configuration complete = resolved(configuration, Spectrum{});
+/// The settings with what a simulation takes by default; it has no quantity unless one is stated.
+Json settings_of(const Configuration& configuration) {
+    Configuration complete = as_stated(resolved(configuration));
     complete.quantity = configuration.quantity;
-    return complete;
+    return to_json(complete);
 }
 
 std::string parameters_text(const Configuration& configuration) {
@@ -26,8 +26,8 @@ std::string parameters_text(const Configuration& configuration) {
 }  // namespace
 
 std::string simulation_csv(const std::vector<Reading>& readings, const Configuration& configuration) {
-    const Configuration complete = resolved_for_simulation(configuration);
-    const Json settings = to_json(complete);
+    const ResolvedConfiguration complete = resolved(configuration);
+    const Json settings = settings_of(configuration);
     const auto word = [&settings](const char* key) {
         return settings[key].is_string() ? settings[key].get<std::string>() : settings[key].dump();
     };
@@ -49,7 +49,7 @@ std::string simulation_csv(const std::vector<Reading>& readings, const Configura
 }
 
 Json simulation_json(const std::vector<Reading>& readings, const Configuration& configuration) {
-    const Json settings = to_json(resolved_for_simulation(configuration));
+    const Json settings = settings_of(configuration);
     Json json;
     const auto column = [&](const char* name, double Reading::*field) {
         json[name] = Json::array();

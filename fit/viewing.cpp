@@ -5,7 +5,7 @@
 #include "core/input_error.hpp"
 
 namespace skinfit {
-void check_viewing_cone(const Configuration& configuration) {
+void check_viewing_cone(const ResolvedConfiguration& configuration) {
     if (!configuration.viewing_cone_deg) return;
     const auto refuse = [&](const std::string& why, const std::string& remedy) {
         throw InputError({.where = "viewing_cone_deg",

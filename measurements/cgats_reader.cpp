@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <span>
@@ -94,10 +93,24 @@ RawSet raw_set(const CgatsTable& table, const CgatsBands& bands, std::size_t set
     return raw;
 }
 
+/// The readings in the window of all sets; all readings where it has none.
+std::vector<double> used_readings(const std::vector<RawSet>& sets, const WavelengthWindow& window) {
+    std::vector<double> wavelength_nm;
+    std::vector<double> readings;
+    for (const RawSet& set : sets) {
+        for (std::size_t i = 0; i < set.grid.order.size(); ++i) {
+            wavelength_nm.push_back(set.grid.wavelength_nm[i]);
+            readings.push_back(set.readings[set.grid.order[i]]);
+        }
+    }
+    return used_values(window, wavelength_nm, readings);
+}
+
 /// What one reading in the file stands for: by the option, by the names of the fields, by SPECTRAL_NORM, which is the
 /// reading of a perfect white, else by the rule for files that state nothing.
 UnitFinding unit_of(const CgatsTable& table, const CgatsBands& bands, std::vector<RawSet>& sets,
-                    const std::optional<Unit>& option, const std::string& source) {
+                    const ReadOptions& options, const std::string& source) {
+    const std::optional<Unit>& option = options.unit;
     const auto keyword = table.keywords.find("SPECTRAL_NORM");
     const bool has_norm = keyword != table.keywords.end();
     const double norm = table.number("SPECTRAL_NORM").value_or(0.0);
@@ -121,12 +134,7 @@ UnitFinding unit_of(const CgatsTable& table, const CgatsBands& bands, std::vecto
         }
         return {.unit = Unit::fraction, .rule = fmt::format("fraction: after division by SPECTRAL_NORM {:g}", norm)};
     }
-    std::vector<double> present;
-    for (const RawSet& set : sets) {
-        std::ranges::copy_if(set.readings, std::back_inserter(present),
-                             [](double value) { return !std::isnan(value); });
-    }
-    return find_unit({.option = option, .comment = std::nullopt, .header = {}}, present);
+    return find_unit({.option = option, .comment = std::nullopt, .header = {}}, used_readings(sets, options.window));
 }
 
 void take_spectra(const CgatsTable& table, const CgatsBands& bands, bool several, const std::string& source,
@@ -142,7 +150,7 @@ void take_spectra(const CgatsTable& table, const CgatsBands& bands, bool several
         });
     }
     if (sets.empty()) return;
-    const UnitFinding unit = unit_of(table, bands, sets, options.unit, source);
+    const UnitFinding unit = unit_of(table, bands, sets, options, source);
     for (RawSet& set : sets) {
         take_readings(set.spectrum, set.grid, {.value = set.readings}, unit);
         spectra.push_back(std::move(set.spectrum));

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -49,11 +50,18 @@ UnitStatements unit_statements(const DescribedTable& table, std::size_t column, 
     const std::size_t wavelength = table.plan.columns[column].wavelength;
     if (!named && !table.columns.names.empty()) named = values_stated(table.columns.names[wavelength]).unit;
     if (!named) named = table.statements.values.unit;
-    return {.option = options.unit, .comment = table.description.unit, .named = named};
+    return {.option = options.unit, .comment = table.description.unit, .named = named, .window = options.window};
 }
 
-/// The name of the first column whose values show that the table is in percent, where no word states it; empty where
-/// none does.
+/// The wavelengths, nm, of a table's rows in a column that need not be asked for; NaN where one holds none.
+std::vector<double> glance_at_wavelengths(const DescribedTable& table, std::size_t column) {
+    NumberTable numbers = glance_at_numbers(table.columns, std::array{column});
+    std::ranges::replace(numbers.cells, 0.0, std::numeric_limits<double>::quiet_NaN());
+    return wavelengths_nm(table.plan.columns[column].abscissa, numbers.cells);
+}
+
+/// The name of the first column whose values in the window show that the table is in percent, where no word states it;
+/// empty where none does.
 std::string column_in_percent(const DescribedTable& table, const ReadOptions& options) {
     std::vector<std::size_t> unstated;
     for (std::size_t c = 0; c < table.plan.columns.size(); ++c) {
@@ -65,10 +73,15 @@ std::string column_in_percent(const DescribedTable& table, const ReadOptions& op
     if (unstated.size() < 2) return {};
     const NumberTable numbers = glance_at_numbers(table.columns, unstated);
     ColumnStore store(numbers);
+    std::map<std::size_t, std::vector<double>> wavelengths;
     for (std::size_t i = 0; i < unstated.size(); ++i) {
+        const std::size_t axis = table.plan.columns[unstated[i]].wavelength;
+        if (!wavelengths.contains(axis)) wavelengths[axis] = glance_at_wavelengths(table, axis);
         std::vector<double> values = store.column(i);
         (void)take_out_fill_numbers(values);
-        if (shows_percent(values)) return table.plan.label(unstated[i]);
+        if (shows_percent(used_values(options.window, wavelengths[axis], values))) {
+            return table.plan.label(unstated[i]);
+        }
     }
     return {};
 }
@@ -147,21 +160,6 @@ void require_wavelengths(const DescribedTable& table, const Axis& axis, std::siz
     }
 }
 
-/// Throws InputError where a value lacks its uncertainty.
-void require_sigma(const DescribedTable& table, std::size_t column, const Axis& axis, const Readings& readings) {
-    CellCutter cutter(table.columns.separator);
-    for (std::size_t i = 0; i < readings.value.size(); ++i) {
-        if (std::isnan(readings.value[i]) || !std::isnan(readings.sigma[i])) continue;
-        const Row& row = table.columns.rows[axis.rows[i]];
-        const std::string_view cell = cutter.cut(row.text)[column];
-        throw InputError(
-            {.where = at_line(table.columns, row.line),
-             .problem = fmt::format("{} is {}", label(table.columns, column), cell.empty() ? "empty" : in_quotes(cell)),
-             .why = "every value needs its uncertainty",
-             .remedy = "give it, or delete the column of uncertainties"});
-    }
-}
-
 /// Reads the chosen columns of one table.
 class ColumnReader {
 public:
@@ -222,7 +220,7 @@ private:
         for (double& each : sigma) each *= table_.statements.factor;
         Spectrum spectrum = described(table_, choice, choices_.size());
         if (!axis.remark.empty()) spectrum.remarks.push_back(axis.remark);
-        if (choice.sigma) take_sigma(spectrum, *choice.sigma, axis, value, sigma);
+        if (choice.sigma) take_sigma(spectrum, *choice.sigma, sigma);
         UnitStatements unit = unit_statements(table_, choice.value, options_);
         unit.percent_in = percent_in_;
         take_readings(spectrum, axis.grid, {.value = value, .sigma = sigma}, unit);
@@ -230,15 +228,13 @@ private:
     }
 
     /// Uncertainties that are 0 throughout, as of a computation without noise, are none.
-    void take_sigma(Spectrum& spectrum, std::size_t column, const Axis& axis, const std::vector<double>& value,
-                    std::vector<double>& sigma) const {
+    void take_sigma(Spectrum& spectrum, std::size_t column, std::vector<double>& sigma) const {
         if (std::ranges::all_of(sigma, [](double each) { return each == 0; })) {
             spectrum.remarks.push_back(fmt::format("{} is 0 throughout, which states no uncertainty",
                                                    in_quotes(label(table_.columns, column))));
             sigma.clear();
             return;
         }
-        require_sigma(table_, column, axis, {.value = value, .sigma = sigma});
         const std::string& stated = table_.description.sigma_source;
         const std::string& name = table_.plan.columns[column].name;
         const bool plain = name == "sigma" || name.ends_with("_sigma");

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <numeric>
 #include <span>
 
 #include "core/input_error.hpp"
@@ -14,18 +16,19 @@ namespace {
 
 /// Sums over pixels of how far they are from the first: then no digits cancel in the scatter of bright pixels.
 struct Sums {
-    std::vector<double> origin;
+    std::vector<double> origin;  ///< of each band: the first number
     std::vector<double> difference;
     std::vector<double> square;
+    std::vector<std::size_t> count;  ///< of numbers in each band
     std::size_t pixels = 0;
 
+    explicit Sums(std::size_t bands)
+        : origin(bands, std::numeric_limits<double>::quiet_NaN()), difference(bands), square(bands), count(bands) {}
+
     void add(std::span<const double> spectrum) {
-        if (pixels == 0) {
-            origin.assign(spectrum.begin(), spectrum.end());
-            difference.assign(spectrum.size(), 0);
-            square.assign(spectrum.size(), 0);
-        }
         for (std::size_t i = 0; i < spectrum.size(); ++i) {
+            if (std::isnan(spectrum[i])) continue;
+            if (count[i]++ == 0) origin[i] = spectrum[i];
             const double d = spectrum[i] - origin[i];
             difference[i] += d;
             square[i] += d * d;
@@ -34,8 +37,13 @@ struct Sums {
     }
 };
 
-std::size_t numbers_in(std::span<const double> spectrum) {
-    return static_cast<std::size_t>(std::ranges::count_if(spectrum, [](double value) { return !std::isnan(value); }));
+bool has_number(std::span<const double> spectrum) {
+    return std::ranges::any_of(spectrum, [](double value) { return !std::isnan(value); });
+}
+
+/// Whether there is a number in each of these bands.
+bool is_complete(std::span<const double> spectrum, const std::vector<std::size_t>& needed) {
+    return std::ranges::none_of(needed, [&](std::size_t band) { return std::isnan(spectrum[band]); });
 }
 
 /// True for a band that was 0 in every pixel.
@@ -43,28 +51,37 @@ bool is_dead(const Sums& sums, std::size_t band) {
     return sums.origin[band] == 0 && sums.square[band] == 0;
 }
 
-std::vector<double> standard_uncertainty(const Sums& sums) {
+/// The places of the wavelengths in the window; of all where it has none.
+std::vector<std::size_t> places_in(const WavelengthWindow& window, const std::vector<double>& wavelength_nm) {
+    std::vector<std::size_t> all(wavelength_nm.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    std::vector<std::size_t> used;
+    std::ranges::copy_if(all, std::back_inserter(used),
+                         [&](std::size_t i) { return window.contains(wavelength_nm[i]); });
+    return used.empty() ? all : used;
+}
+
+std::vector<double> standard_uncertainty(const Sums& sums, const std::vector<std::size_t>& needed) {
     std::vector<double> sigma;
-    const auto n = static_cast<double>(sums.pixels);
     for (std::size_t i = 0; i < sums.origin.size(); ++i) {
-        if (is_dead(sums, i)) {
-            sigma.push_back(std::numeric_limits<double>::quiet_NaN());
-            continue;
-        }
+        const auto n = static_cast<double>(sums.count[i]);
         const double squares_about_mean = sums.square[i] - sums.difference[i] * sums.difference[i] / n;
-        if (!(squares_about_mean > 0)) return {};
-        sigma.push_back(std::sqrt(squares_about_mean / (n - 1) / n));
+        const bool is_known = squares_about_mean > 0;
+        if (!is_known && !is_dead(sums, i) && std::ranges::binary_search(needed, i)) return {};
+        sigma.push_back(is_known ? std::sqrt(squares_about_mean / (n - 1) / n)
+                                 : std::numeric_limits<double>::quiet_NaN());
     }
     return sigma;
 }
 
 }  // namespace
 
-CubeMean mean_spectrum(const SpectralCube& cube, const CubeRegion& region) {
+CubeMean mean_spectrum(const SpectralCube& cube, const CubeRegion& region, const WavelengthWindow& window) {
     const std::size_t bands = cube.bands().size();
     const Rectangle& rectangle = region.rectangle();
     const std::size_t end = rectangle.first_line + rectangle.lines;
-    Sums sums;
+    const std::vector<std::size_t> needed = places_in(window, cube.wavelength_nm());
+    Sums sums(bands);
     std::size_t masked = 0;
     std::size_t incomplete = 0;
     for (std::size_t first = rectangle.first_line; first < end; first += cube.lines_at_once()) {
@@ -75,11 +92,10 @@ CubeMean mean_spectrum(const SpectralCube& cube, const CubeRegion& region) {
         for (std::size_t pixel = 0; pixel < chosen.size(); ++pixel) {
             if (!chosen[pixel]) continue;
             const std::span<const double> spectrum = std::span(fractions).subspan(pixel * bands, bands);
-            const std::size_t numbers = numbers_in(spectrum);
-            if (numbers == bands) {
+            if (is_complete(spectrum, needed)) {
                 sums.add(spectrum);
             } else {
-                ++(numbers == 0 ? masked : incomplete);
+                ++(has_number(spectrum) ? incomplete : masked);
             }
         }
     }
@@ -94,10 +110,10 @@ CubeMean mean_spectrum(const SpectralCube& cube, const CubeRegion& region) {
     }
     CubeMean mean{.value = sums.origin, .sigma = {}, .pixels = sums.pixels, .masked = masked, .incomplete = incomplete};
     for (std::size_t i = 0; i < bands; ++i) {
-        mean.value[i] += sums.difference[i] / static_cast<double>(sums.pixels);
+        mean.value[i] += sums.difference[i] / static_cast<double>(sums.count[i]);
         if (is_dead(sums, i)) mean.value[i] = std::numeric_limits<double>::quiet_NaN();
     }
-    if (sums.pixels > 1) mean.sigma = standard_uncertainty(sums);
+    if (sums.pixels > 1) mean.sigma = standard_uncertainty(sums, needed);
     return mean;
 }
 

@@ -11,9 +11,9 @@ namespace skinfit {
 namespace {
 
 Raster open_mask(const std::filesystem::path& path) {
-    if (!find_envi_header(path)) return Raster(path);
-    const EnviFiles files = find_envi_files(path);
-    const EnviHeader header = read_envi_header(files);
+    const std::optional<EnviFiles> files = envi_files(path);
+    if (!files) return Raster(path);
+    const EnviHeader header = read_envi_header(*files);
     if (header.bands != 1) {
         throw InputError({.where = header.source,
                           .problem = fmt::format("has {} bands", header.bands),
@@ -26,7 +26,7 @@ Raster open_mask(const std::filesystem::path& path) {
                           .why = header.doubts.front().message,
                           .remedy = header.doubts.front().remedy});
     }
-    return open_envi_data(files, header);
+    return open_envi_data(*files, header);
 }
 
 std::optional<Raster> mask_for(const SpectralCube& cube, const std::optional<std::filesystem::path>& path) {

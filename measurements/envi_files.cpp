@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <fstream>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/file.hpp"
@@ -20,12 +20,17 @@ bool is_file(const std::filesystem::path& path) {
     return std::filesystem::is_regular_file(path, ignored);
 }
 
-bool begins_as_header(const std::filesystem::path& path) {
-    if (!is_file(path)) return false;
-    std::array<char, 64> start{};
-    std::ifstream stream(path, std::ios::binary);
-    stream.read(start.data(), start.size());
-    return is_envi_header({start.data(), static_cast<std::size_t>(stream.gcount())});
+constexpr std::size_t most_header_bytes = std::size_t{16} << 20U;
+
+/// The text of the file where it begins as a header does; no more than the beginning of any other is read.
+std::optional<EnviHeaderFile> header_at(const std::filesystem::path& path) {
+    constexpr std::size_t beginning = 64;  // bytes
+    if (!is_file(path)) return std::nullopt;
+    std::string text = read_input(path, [](std::string_view so_far) {
+        return so_far.size() <= most_header_bytes && (so_far.size() < beginning || is_envi_header(so_far));
+    });
+    if (!is_envi_header(text)) return std::nullopt;
+    return EnviHeaderFile{.path = path, .text = std::move(text)};
 }
 
 /// The endings of data whose header has `.hdr` in their place.
@@ -82,55 +87,63 @@ FileDoubt doubt_about_long_data(const EnviFiles& files, std::uintmax_t found, st
 
 }  // namespace
 
-std::optional<std::filesystem::path> find_envi_header(const std::filesystem::path& path) {
-    if (begins_as_header(path)) return path;
+std::optional<EnviHeaderFile> envi_header_beside(const std::filesystem::path& path) {
     if (!is_file(path)) return std::nullopt;
     const std::vector<std::string> endings = data_endings();
     const bool replaceable = std::ranges::find(endings, path.extension().string()) != endings.end();
     for (const std::string_view ending : {".hdr", ".HDR"}) {
         std::filesystem::path behind = path;
         behind += ending;
-        if (begins_as_header(behind)) return behind;
+        if (std::optional<EnviHeaderFile> header = header_at(behind)) return header;
+        if (!replaceable) continue;
         const std::filesystem::path instead = std::filesystem::path(path).replace_extension(ending);
-        if (replaceable && begins_as_header(instead)) return instead;
+        if (std::optional<EnviHeaderFile> header = header_at(instead)) return header;
     }
     return std::nullopt;
 }
 
-EnviFiles find_envi_files(const std::filesystem::path& path) {
-    const std::optional<std::filesystem::path> header = find_envi_header(path);
-    if (!header) {
-        throw InputError({.where = path.string(),
-                          .problem = "is no ENVI file",
-                          .why = "neither it nor a .hdr file beside it begins with the line ENVI",
-                          .remedy = "name the header or the data of an ENVI cube"});
-    }
-    if (*header != path) return {.header = *header, .data = path};
-    const std::vector<std::filesystem::path> data = data_files(*header);
-    if (data.size() == 1) return {.header = *header, .data = data.front()};
+EnviFiles files_of(EnviHeaderFile header) {
+    const std::vector<std::filesystem::path> data = data_files(header.path);
+    if (data.size() == 1) return {.header = header.path, .data = data.front(), .header_text = std::move(header.text)};
     if (data.empty()) {
-        throw InputError({.where = header->string(),
+        throw InputError({.where = header.path.string(),
                           .problem = "has no data file beside it",
                           .why = "a header holds no measurements",
                           .remedy = fmt::format("put the data beside it, called {}",
-                                                header->filename().replace_extension("dat").string())});
+                                                header.path.filename().replace_extension("dat").string())});
     }
-    throw InputError({.where = header->string(),
+    throw InputError({.where = header.path.string(),
                       .problem = "has several data files beside it",
                       .why = fmt::format("{} and {} may both belong to it", data[0].filename().string(),
                                          data[1].filename().string()),
                       .remedy = "name the data file instead of the header"});
 }
 
+std::optional<EnviFiles> envi_files(const std::filesystem::path& path) {
+    if (std::optional<EnviHeaderFile> beside = envi_header_beside(path)) {
+        return EnviFiles{.header = beside->path, .data = path, .header_text = std::move(beside->text)};
+    }
+    std::optional<EnviHeaderFile> header = header_at(path);
+    if (!header) return std::nullopt;
+    return files_of(std::move(*header));
+}
+
+EnviFiles find_envi_files(const std::filesystem::path& path) {
+    if (std::optional<EnviFiles> files = envi_files(path)) return std::move(*files);
+    throw InputError({.where = path.string(),
+                      .problem = "is no ENVI file",
+                      .why = "neither it nor a .hdr file beside it begins with the line ENVI",
+                      .remedy = "name the header or the data of an ENVI cube"});
+}
+
 EnviHeader read_envi_header(const EnviFiles& files) {
-    constexpr std::uintmax_t most_bytes = std::uintmax_t{16} << 20U;
-    if (std::filesystem::file_size(files.header) > most_bytes) {
+    if (files.header_text.size() > most_header_bytes) {
         throw InputError({.where = files.header.string(),
                           .problem = "has more than 16 MiB",
                           .why = "no header of a cube needs as much",
                           .remedy = "check that it is a header"});
     }
-    EnviHeader header = parse_envi_header(read_file(files.header), files.header.string());
+    EnviHeader header = parse_envi_header(files.header_text, files.header.string());
     const std::uintmax_t found = std::filesystem::file_size(files.data);
     const std::uint64_t promised = header.data_file_bytes();
     if (found < promised) refuse_short_data(files, found, promised);

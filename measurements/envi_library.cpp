@@ -14,27 +14,31 @@
 namespace skinfit {
 namespace {
 
-UnitFinding unit_of_library(const SpectralCube& cube, std::span<const double> values) {
+/// `values` are those at all wavelengths, spectrum after spectrum.
+UnitFinding unit_of_library(const SpectralCube& cube, std::span<const double> values, const WavelengthWindow& window) {
     if (cube.has_stated_unit()) return {.unit = Unit::fraction, .rule = cube.unit_rule()};
-    std::vector<double> present;
-    std::ranges::copy_if(values, std::back_inserter(present), [](double value) { return !std::isnan(value); });
-    if (present.empty()) return {.unit = Unit::fraction, .rule = cube.unit_rule()};
-    UnitFinding found = find_unit({.option = {}, .comment = {}, .header = {}}, present);
+    std::vector<double> wavelength_nm;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        wavelength_nm.push_back(cube.wavelength_nm()[i % cube.wavelength_nm().size()]);
+    }
+    const std::vector<double> used = used_values(window, wavelength_nm, values);
+    if (used.empty()) return {.unit = Unit::fraction, .rule = cube.unit_rule()};
+    UnitFinding found = find_unit({.option = {}, .comment = {}, .header = {}}, used);
     require_no_radiance(cube, found);
     return found;
 }
 
 }  // namespace
 
-std::vector<Spectrum> library_spectra(const SpectralCube& cube) {
+std::vector<Spectrum> library_spectra(const SpectralCube& cube, const WavelengthWindow& window) {
     std::vector<double> values;
     for (std::size_t first = 0; first < cube.lines(); first += cube.lines_at_once()) {
         const std::vector<double> part = cube.read_lines(first, std::min(cube.lines_at_once(), cube.lines() - first));
         values.insert(values.end(), part.begin(), part.end());
     }
-    const UnitFinding unit = unit_of_library(cube, values);
+    const UnitFinding unit = unit_of_library(cube, values, window);
     const std::size_t count = cube.bands().size();
-    Grid grid{.wavelength_nm = cube.wavelength_nm(), .order = {}};
+    Grid grid{.wavelength_nm = cube.wavelength_nm(), .order = {}, .repeated = common_spectrum(cube).repeated};
     for (std::size_t i = 0; i < count; ++i) grid.order.push_back(i);
 
     const std::vector<std::string>& names = cube.header().spectra_names;

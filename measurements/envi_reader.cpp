@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numeric>
+#include <utility>
 
 #include "core/geometry.hpp"
 #include "core/input_error.hpp"
@@ -73,14 +73,16 @@ std::optional<std::string> remark_on_pixels(const CubeMean& mean) {
 }
 
 void take_mean(Spectrum& spectrum, const CubeMean& mean, double one) {
+    const std::vector<double> wavelength_nm = std::exchange(spectrum.wavelength_nm, {});
     for (std::size_t i = 0; i < mean.value.size(); ++i) {
-        if (std::isnan(mean.value[i])) continue;
-        spectrum.wavelength_nm[spectrum.value.size()] = spectrum.wavelength_nm[i];
+        if (std::isnan(mean.value[i])) {
+            spectrum.missing_nm.push_back(wavelength_nm[i]);
+            continue;
+        }
+        spectrum.wavelength_nm.push_back(wavelength_nm[i]);
         spectrum.value.push_back(mean.value[i] / one);
         if (!mean.sigma.empty()) spectrum.sigma.push_back(mean.sigma[i] / one);
     }
-    spectrum.missing = mean.value.size() - spectrum.value.size();
-    spectrum.wavelength_nm.resize(spectrum.value.size());
 }
 
 UnitFinding unit_of_mean(const SpectralCube& cube, const std::vector<double>& values) {
@@ -91,7 +93,7 @@ UnitFinding unit_of_mean(const SpectralCube& cube, const std::vector<double>& va
 }
 
 Spectrum mean_of(const SpectralCube& cube, const ReadOptions& options) {
-    const CubeMean mean = mean_spectrum(cube, CubeRegion(options.region, cube));
+    const CubeMean mean = mean_spectrum(cube, CubeRegion(options.region, cube), options.window);
     Spectrum spectrum = common_spectrum(cube);
     const std::vector<FileNote> notes = notes_on(cube, options.region, mean);
     spectrum.notes.insert(spectrum.notes.begin(), notes.begin(), notes.end());
@@ -100,25 +102,20 @@ Spectrum mean_of(const SpectralCube& cube, const ReadOptions& options) {
     spectrum.doubts = cube.header().doubts;
     if (const auto remark = remark_on_pixels(mean)) spectrum.remarks.push_back(*remark);
 
-    std::vector<double> present;
-    std::ranges::copy_if(mean.value, std::back_inserter(present), [](double value) { return !std::isnan(value); });
-    if (present.empty()) {
+    const std::vector<double> values = used_values(options.window, cube.wavelength_nm(), mean.value);
+    if (values.empty()) {
         throw InputError({.where = cube.files().data.string(),
                           .problem = "is 0 in every band",
                           .why = "no surface reflects nothing",
                           .remedy = "choose another mask or rectangle"});
     }
-    const UnitFinding found = unit_of_mean(cube, present);
+    const UnitFinding found = unit_of_mean(cube, values);
     spectrum.unit_rule = found.rule;
     take_mean(spectrum, mean, found.unit == Unit::percent ? 100 : 1);
     return spectrum;
 }
 
 }  // namespace
-
-bool is_cube(const std::filesystem::path& path, const std::optional<std::string>& reader) {
-    return reader ? *reader == envi_reader_name : find_envi_header(path).has_value();
-}
 
 Spectrum common_spectrum(const SpectralCube& cube) {
     Spectrum spectrum;
@@ -128,20 +125,26 @@ Spectrum common_spectrum(const SpectralCube& cube) {
     spectrum.unit_rule = cube.unit_rule();
     spectrum.quantity = cube.header().quantity;
     spectrum.wavelength_nm = cube.wavelength_nm();
+    for (std::size_t i = 1; i < cube.bands().size(); ++i) {
+        if (spectrum.wavelength_nm[i] != spectrum.wavelength_nm[i - 1]) continue;
+        spectrum.repeated.push_back({.wavelength_nm = spectrum.wavelength_nm[i],
+                                     .where = fmt::format("{}: band {}", cube.header().source, cube.bands()[i] + 1),
+                                     .first = fmt::format("band {}", cube.bands()[i - 1] + 1)});
+    }
     take_bandpass(spectrum, widths_of(cube));
     return spectrum;
 }
 
-std::vector<Spectrum> read_envi(const std::filesystem::path& path, const ReadOptions& options) {
-    const SpectralCube cube(path, options.unit);
+std::vector<Spectrum> read_envi(const EnviFiles& files, const ReadOptions& options) {
+    const SpectralCube cube(files, options.unit);
     if (!cube.header().spectral_library) return {mean_of(cube, options)};
     if (options.region.mask || options.region.rectangle) {
-        throw InputError({.where = path.string(),
+        throw InputError({.where = cube.header().source,
                           .problem = "is a spectral library",
                           .why = "it has no pixels to choose",
                           .remedy = "leave the mask and the rectangle out"});
     }
-    return library_spectra(cube);
+    return library_spectra(cube, options.window);
 }
 
 }  // namespace skinfit

@@ -84,7 +84,7 @@ Spectrum spectrum_of(const JcampBlock& block, const JcampRecord& data, const Rea
     });
     const std::string header = block.text("YUNITS");
     take_readings(spectrum, grid, {.value = points.y},
-                  {.option = options.unit, .comment = std::nullopt, .header = header});
+                  {.option = options.unit, .comment = std::nullopt, .header = header, .window = options.window});
     return spectrum;
 }
 

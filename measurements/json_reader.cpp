@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -23,13 +24,13 @@ namespace skinfit {
 namespace {
 
 /// Names with a meaning; any other is a note.
-constexpr std::array<std::string_view, 21> known = {
+constexpr std::array<std::string_view, 22> known = {
     "name",         "wavelength_nm", "start",          "step",
     "value",        "values",        "sigma",          "unit",
     "quantity",     "incidence_deg", "specular",       "viewing_cone_deg",
     "instrument",   "site",          "aperture_mm",    "repeats",
-    "sigma_source", "missing",       "bandpass_shape", "bandpass_width_nm",
-    "notes"};
+    "sigma_source", "missing_nm",    "bandpass_shape", "bandpass_width_nm",
+    "notes",        "missing"};
 
 /// `wavelength_nm`, or as many as there are values from `start` on by `step`.
 std::vector<double> wavelengths(const JsonObject& object, std::size_t count) {
@@ -103,7 +104,8 @@ void take_description(Spectrum& spectrum, const JsonObject& object) {
     take_notes(spectrum, object);
 }
 
-/// The readings of the same specimen, in the order of the grid, without the wavelengths whose value is missing.
+/// The readings of the same specimen, in the order of the grid, without the wavelengths whose value is missing; NaN
+/// where a reading has none.
 void take_repeats(Spectrum& spectrum, const JsonObject& object, const Grid& grid, const std::vector<double>& value,
                   double scale) {
     const Json* const repeats = object.find("repeats");
@@ -118,8 +120,6 @@ void take_repeats(Spectrum& spectrum, const JsonObject& object, const Grid& grid
         std::vector<double>& readings = spectrum.repeats.emplace_back();
         for (const std::size_t i : grid.order) {
             if (std::isnan(value[i])) continue;
-            if (std::isnan(found[i]))
-                refuse_json(object, "repeats", repeat, "a number is needed where there is a value");
             readings.push_back(found[i] / scale);
         }
     }
@@ -166,17 +166,20 @@ Spectrum spectrum_of(const JsonObject& object, const std::string& source, const 
     }
     spectrum.remarks = statements.remarks;
     if (fill) spectrum.remarks.push_back(fmt::format("readings of {} stand for missing values", *fill));
-    for (std::size_t i = 0; i < sigma.size(); ++i) {
-        if (std::isnan(sigma[i]) && !std::isnan(value[i]))
-            refuse_json(object, "sigma", *object.find("sigma"), "every value needs one");
-    }
     take_readings(spectrum, grid, {.value = value, .sigma = sigma},
                   {.option = options.unit,
                    .comment = word<Unit>(object, "unit", unit_names),
                    .named = statements.values.unit,
-                   .percent_in = percent_in});
+                   .percent_in = percent_in,
+                   .window = options.window});
     take_repeats(spectrum, object, grid, value, spectrum.unit_rule.starts_with("percent") ? 100 : 1);
-    spectrum.missing += static_cast<std::size_t>(number(object, "missing", {0, 1e9}).value_or(0));
+    // Release 0.1.0 wrote how many there were, and not where.
+    spectrum.missing_nm.resize(
+        spectrum.missing_nm.size() + static_cast<std::size_t>(number(object, "missing", {0, 1e6}).value_or(0)),
+        std::numeric_limits<double>::quiet_NaN());
+    if (const Json* const missing = object.find("missing_nm"); missing != nullptr) {
+        std::ranges::move(numbers(object, "missing_nm", *missing), std::back_inserter(spectrum.missing_nm));
+    }
     if (!sigma.empty()) {
         spectrum.sigma_source = text(object, "sigma_source");
         if (spectrum.sigma_source.empty()) spectrum.sigma_source = "given by the file";
@@ -184,8 +187,24 @@ Spectrum spectrum_of(const JsonObject& object, const std::string& source, const 
     return spectrum;
 }
 
-/// The first spectrum of a list that is in percent, as it states or as its values show; empty where none is.
-std::string spectrum_in_percent(const Json& all) {
+/// The wavelength of value `i` of an object that has not been checked; NaN where it is not told.
+double glance_at_wavelength(const Json& spectrum, std::size_t i) {
+    const auto number_in = [](const Json& json) {
+        return json.is_number() ? json.get<double>() : std::numeric_limits<double>::quiet_NaN();
+    };
+    const Json nothing;
+    const auto part = [&](const char* name) -> const Json& {
+        const auto found = spectrum.find(name);
+        return found == spectrum.end() ? nothing : *found;
+    };
+    const Json& list = part("wavelength_nm");
+    if (list.is_array()) return i < list.size() ? number_in(list[i]) : std::numeric_limits<double>::quiet_NaN();
+    return number_in(part("start")) + static_cast<double>(i) * number_in(part("step"));
+}
+
+/// The first spectrum of a list that is in percent, as it states or as its values in the window show; empty where none
+/// is.
+std::string spectrum_in_percent(const Json& all, const WavelengthWindow& window) {
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Json& json = all[i];
         if (!json.is_object()) continue;
@@ -198,10 +217,13 @@ std::string spectrum_in_percent(const Json& all) {
         const auto list = json.contains("value") ? json.find("value") : json.find("values");
         if (list == json.end() || !list->is_array()) continue;
         std::vector<double> values;
+        std::vector<double> wavelength_nm;
         for (const Json& value : *list) {
-            if (value.is_number() && !is_fill_number(value.get<double>())) values.push_back(value.get<double>());
+            wavelength_nm.push_back(glance_at_wavelength(json, values.size()));
+            const bool is_reading = value.is_number() && !is_fill_number(value.get<double>());
+            values.push_back(is_reading ? value.get<double>() : std::numeric_limits<double>::quiet_NaN());
         }
-        if (shows_percent(values)) return name;
+        if (shows_percent(used_values(window, wavelength_nm, values))) return name;
     }
     return {};
 }
@@ -225,7 +247,7 @@ std::vector<Spectrum> read_json(std::string_view text, const std::string& source
     const Json& all = ours ? file["spectra"] : file;
     const std::string stem = std::filesystem::path(source).stem().string();
     if (!all.is_array()) return {spectrum_of({.json = all, .where = source}, source, stem, options)};
-    const std::string percent_in = spectrum_in_percent(all);
+    const std::string percent_in = spectrum_in_percent(all, options.window);
     std::vector<Spectrum> spectra;
     for (const Json& json : all) {
         const std::string number = fmt::format("spectrum {}", spectra.size() + 1);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -93,38 +94,58 @@ private:
 };
 
 /// Each standard uncertainty pooled with those of its neighbours, root mean square: a few repeats cross each other here
-/// and there by chance, which is no certainty.
-std::vector<double> pooled(const std::vector<double>& sigma, const std::vector<double>& wavelength_nm) {
+/// and there by chance, which is no certainty. What lies in the window and what does not say nothing of each other.
+std::vector<double> pooled(const std::vector<double>& sigma, const std::vector<double>& wavelength_nm,
+                           const WavelengthWindow& window) {
     constexpr double reach_nm = 50;  // wider than a band of hemoglobin
     std::vector<double> smooth;
     for (const double centre_nm : wavelength_nm) {
         double sum = 0;
         double count = 0;
         for (std::size_t i = 0; i < sigma.size(); ++i) {
-            if (std::abs(wavelength_nm[i] - centre_nm) > reach_nm) continue;
+            if (std::abs(wavelength_nm[i] - centre_nm) > reach_nm || std::isnan(sigma[i])) continue;
+            if (window.contains(wavelength_nm[i]) != window.contains(centre_nm)) continue;
             sum += sigma[i] * sigma[i];
             ++count;
         }
-        smooth.push_back(std::sqrt(sum / count));
+        smooth.push_back(std::sqrt(sum / count));  // NaN where none is known
     }
     return smooth;
 }
 
-/// Gives the mean its readings and the uncertainty that follows from them, where all of them have all its wavelengths.
-void take_repeats(Spectrum& mean, const std::vector<Spectrum>& readings) {
+/// The values of `reading` at these wavelengths, NaN where it has none.
+std::vector<double> values_at(const Spectrum& reading, const std::vector<double>& wavelength_nm) {
+    if (reading.wavelength_nm == wavelength_nm) return reading.value;
+    std::vector<double> values;
+    for (const double nm : wavelength_nm) {
+        const auto found = std::ranges::lower_bound(reading.wavelength_nm, nm);
+        const bool has = found != reading.wavelength_nm.end() && *found == nm;
+        values.push_back(has ? reading.value[static_cast<std::size_t>(found - reading.wavelength_nm.begin())]
+                             : std::numeric_limits<double>::quiet_NaN());
+    }
+    return values;
+}
+
+/// Gives the mean its readings and the uncertainty that follows from them, where all of them have all its wavelengths
+/// in the window.
+void take_repeats(Spectrum& mean, const std::vector<Spectrum>& readings, const WavelengthWindow& window) {
     constexpr double decimals_step = 1e-4;  // "4 digits after the decimal", says the file
     if (readings.size() < 2) return;
+    std::vector<std::vector<double>> repeats;
     for (const Spectrum& reading : readings) {
-        if (reading.wavelength_nm != mean.wavelength_nm) return;
+        repeats.push_back(values_at(reading, mean.wavelength_nm));
+        for (std::size_t i = 0; i < mean.wavelength_nm.size(); ++i) {
+            if (std::isnan(repeats.back()[i]) && window.contains(mean.wavelength_nm[i])) return;
+        }
     }
-    for (const Spectrum& reading : readings) mean.repeats.push_back(reading.value);
+    mean.repeats = std::move(repeats);
     std::vector<double> sigma;
     for (std::size_t i = 0; i < mean.value.size(); ++i) {
         std::vector<double> at_once;
-        for (const Spectrum& reading : readings) at_once.push_back(reading.value[i]);
+        for (const std::vector<double>& repeat : mean.repeats) at_once.push_back(repeat[i]);
         sigma.push_back(sigma_of_mean(at_once, decimals_step));
     }
-    mean.sigma = pooled(sigma, mean.wavelength_nm);
+    mean.sigma = pooled(sigma, mean.wavelength_nm, window);
     mean.sigma_source = fmt::format("from {} repeats, pooled over 50 nm to either side", readings.size());
 }
 
@@ -163,7 +184,8 @@ std::vector<Spectrum> read_nist_m38597(std::string_view text, const std::string&
     const NumberTable numbers = read_number_table(columns, all);
     const NistTable table(columns, numbers);
     const std::string header = columns.names.front();
-    const UnitStatements statements{.option = options.unit, .comment = std::nullopt, .header = header};
+    const UnitStatements statements{
+        .option = options.unit, .comment = std::nullopt, .header = header, .window = options.window};
     const std::optional<Quantity> quantity = measurand(columns);
 
     std::vector<Spectrum> spectra;
@@ -179,7 +201,7 @@ std::vector<Spectrum> read_nist_m38597(std::string_view text, const std::string&
             if (numbers.holds_words[c]) continue;
             means.push_back(table.spectrum(c, statements));
             means.back().name = fmt::format("{} mean", subject.name);
-            take_repeats(means.back(), readings);
+            take_repeats(means.back(), readings, options.window);
         }
         std::ranges::move(readings, std::back_inserter(spectra));
         std::ranges::move(means, std::back_inserter(spectra));

@@ -14,6 +14,7 @@ namespace skinfit {
 std::vector<Finding> quality_findings(std::span<const Spectrum> spectra, const ModelledRange& modelled) {
     std::vector<Finding> findings;
     for (const Spectrum& spectrum : spectra) {
+        if (spectrum.value.empty()) continue;
         for (const SpectrumCheck& each : spectrum_checks) {
             if (std::optional<Finding> finding = each.check(spectrum)) findings.push_back(std::move(*finding));
         }

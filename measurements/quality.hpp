@@ -32,7 +32,7 @@ struct ModelledRange {
 };
 
 /// What the checks of `quality_checks.hpp` find in spectra that were measured as one set: those on single spectra in
-/// the order of the set, then those that compare spectra.
+/// the order of the set, then those that compare spectra; nothing of spectra without values.
 [[nodiscard]] std::vector<Finding> quality_findings(std::span<const Spectrum> spectra, const ModelledRange& modelled);
 
 /// The word for `severity` in tables and JSON.

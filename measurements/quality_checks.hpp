@@ -37,6 +37,9 @@ namespace skinfit {
 /// `as_read`: what the reader left out of the file, converted, or could not make out. A note.
 [[nodiscard]] std::optional<Finding> as_read(const Spectrum& spectrum);
 
+/// `repeated_wavelengths`: a wavelength has several values.
+[[nodiscard]] std::optional<Finding> repeated_wavelengths(const Spectrum& spectrum);
+
 /// `outside_tables`: wavelengths outside those that the model knows. A note where others lie inside.
 [[nodiscard]] std::optional<Finding> outside_tables(const Spectrum& spectrum, const ModelledRange& modelled);
 
@@ -87,12 +90,13 @@ struct SpectrumCheck {
 };
 
 /// All of them, in the order of their findings.
-inline constexpr std::array<SpectrumCheck, 13> spectrum_checks = {{{"as_read", as_read},
+inline constexpr std::array<SpectrumCheck, 14> spectrum_checks = {{{"as_read", as_read},
                                                                    {"unit_conflict", unit_conflict},
                                                                    {"outside_0_1", outside_0_1},
                                                                    {"offset", offset},
                                                                    {"dark_everywhere", dark_everywhere},
                                                                    {"missing_values", missing_values},
+                                                                   {"repeated_wavelengths", repeated_wavelengths},
                                                                    {"spikes", spikes},
                                                                    {"collapse_at_end", collapse_at_end},
                                                                    {"falling_end", falling_end},

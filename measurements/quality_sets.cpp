@@ -63,11 +63,13 @@ std::optional<Sum> largest_sum(const Spectrum& a, const Spectrum& b) {
 
 std::optional<Finding> noise_against_repeats(const Spectrum& spectrum) {
     constexpr double improbable = 1e-3;
-    const bool is_stated = !spectrum.sigma.empty() && std::ranges::min(spectrum.sigma) > 0 &&
+    const bool is_stated = !spectrum.sigma.empty() &&
+                           std::ranges::all_of(spectrum.sigma, [](double sigma) { return sigma > 0; }) &&
                            spectrum.sigma_source.find("repeats") == std::string::npos;
     if (spectrum.repeats.size() < 2 || !is_stated) return std::nullopt;
     const auto degrees_of_freedom = static_cast<double>(spectrum.repeats.size() - 1);
     const double ratio = scatter_per_variance(spectrum);
+    if (!std::isfinite(ratio)) return std::nullopt;  // a repeat lacks a reading
     const boost::math::chi_squared_distribution<double> law(degrees_of_freedom);
     const double below = boost::math::cdf(law, ratio * degrees_of_freedom);
     if (std::min(below, 1 - below) >= improbable) return std::nullopt;

@@ -107,15 +107,30 @@ std::optional<Finding> as_read(const Spectrum& spectrum) {
 
 std::optional<Finding> missing_values(const Spectrum& spectrum) {
     constexpr std::size_t many = 10;  // one in so many
-    if (spectrum.missing == 0) return std::nullopt;
-    const std::size_t all = spectrum.missing + spectrum.wavelength_nm.size();
-    const bool is_minor = many * spectrum.missing <= all;
+    const std::size_t missing = spectrum.missing_nm.size();
+    if (missing == 0) return std::nullopt;
+    const std::size_t all = missing + spectrum.wavelength_nm.size();
+    const bool is_minor = many * missing <= all;
     return Finding{.name = "missing_values",
                    .severity = is_minor ? Severity::note : Severity::warning,
                    .spectrum = spectrum.name,
-                   .message = fmt::format("{} of {} wavelengths have no value", spectrum.missing, all),
+                   .message = fmt::format("{} of {} wavelengths have no value", missing, all),
                    .remedy = is_minor ? "none is needed: a fit uses what there is"
                                       : "measure again, or make sure that the others suffice"};
+}
+
+std::optional<Finding> repeated_wavelengths(const Spectrum& spectrum) {
+    const auto twin = std::ranges::adjacent_find(spectrum.wavelength_nm);
+    if (twin == spectrum.wavelength_nm.end()) return std::nullopt;
+    std::size_t count = 0;
+    for (std::size_t i = 1; i < spectrum.wavelength_nm.size(); ++i) {
+        if (spectrum.wavelength_nm[i] == spectrum.wavelength_nm[i - 1]) ++count;
+    }
+    return Finding{.name = "repeated_wavelengths",
+                   .spectrum = spectrum.name,
+                   .message = fmt::format("{} {} given again, the first {:g} nm", count,
+                                          count == 1 ? "wavelength is" : "wavelengths are", *twin),
+                   .remedy = "keep one of the two or average them"};
 }
 
 std::optional<Finding> outside_tables(const Spectrum& spectrum, const ModelledRange& modelled) {

@@ -11,6 +11,8 @@ double reading_noise(const Spectrum& spectrum) {
     if (spectrum.value.size() < fewest) return 0;
     std::vector<double> departure;
     for (std::size_t i = 1; i + 1 < spectrum.value.size(); ++i) {
+        if (spectrum.wavelength_nm[i - 1] == spectrum.wavelength_nm[i + 1])
+            continue;  // three readings at one wavelength
         const double share = (spectrum.wavelength_nm[i] - spectrum.wavelength_nm[i - 1]) /
                              (spectrum.wavelength_nm[i + 1] - spectrum.wavelength_nm[i - 1]);
         const double before = (1 - share) * spectrum.value[i - 1];
@@ -19,6 +21,7 @@ double reading_noise(const Spectrum& spectrum) {
         const double variances = 1 + (1 - share) * (1 - share) + share * share;
         departure.push_back(std::abs(spectrum.value[i] - before - after) / std::sqrt(variances));
     }
+    if (departure.empty()) return 0;
     const auto middle = departure.begin() + static_cast<std::ptrdiff_t>(departure.size() / 2);
     std::ranges::nth_element(departure, middle);
     return sigma_per_median * *middle;

@@ -45,7 +45,7 @@ Response parse_response(std::string_view text, const std::string& source) {
 }
 
 Response read_response(const std::filesystem::path& path) {
-    return parse_response(read_file(path), path.string());
+    return parse_response(read_input(path), path.string());
 }
 
 }  // namespace skinfit

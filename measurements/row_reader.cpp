@@ -196,17 +196,18 @@ private:
         std::optional<Unit> named = row.unit ? row.unit : values_stated(header_.labels.front()).unit;
         if (!named) named = header_.states.unit;
         if (!named) named = statements_.values.unit;
-        return {.option = options_.unit, .comment = description_.unit, .named = named};
+        return {.option = options_.unit, .comment = description_.unit, .named = named, .window = options_.window};
     }
 
-    /// The name of the first spectrum whose values show that the table is in percent, where no word states it; else
-    /// empty.
+    /// The name of the first spectrum whose values in the window show that the table is in percent, where no word
+    /// states it; else empty.
     [[nodiscard]] std::string row_in_percent(const std::vector<ReadRow>& rows) const {
         for (const ReadRow& row : rows) {
             if (!row.spectrum.unusable.empty()) continue;
             const UnitStatements stated = unit_statements(row);
             if (stated.option || stated.comment) return {};
-            if (!stated.named && shows_percent(row.values)) return row.spectrum.name;
+            if (stated.named) continue;
+            if (shows_percent(used_values(options_.window, grid_, row.values))) return row.spectrum.name;
         }
         return {};
     }

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/geometry.hpp"
 #include "core/input_error.hpp"
@@ -74,14 +75,6 @@ void check_wavelengths(const EnviHeader& header, const std::vector<std::size_t>&
                                              wavelength_range_nm.highest),
                           .remedy = R"(correct "wavelength" or "wavelength units", or mark the band as bad in "bbl")"});
     }
-    const auto twin =
-        std::ranges::adjacent_find(bands, {}, [&](std::size_t band) { return header.wavelength_nm[band]; });
-    if (twin == bands.end()) return;
-    throw InputError({.where = header.source,
-                      .problem = fmt::format("bands {} and {} are both at {} nm", twin[0] + 1, twin[1] + 1,
-                                             header.wavelength_nm[*twin]),
-                      .why = "a spectrum has one value at each wavelength",
-                      .remedy = "mark one of them as bad in \"bbl\""});
 }
 
 /// The good bands by ascending wavelength.
@@ -154,7 +147,10 @@ EnviHeader checked(EnviHeader header, std::optional<Unit> unit) {
 }  // namespace
 
 SpectralCube::SpectralCube(const std::filesystem::path& path, std::optional<Unit> unit)
-    : files_(find_envi_files(path)),
+    : SpectralCube(find_envi_files(path), unit) {}
+
+SpectralCube::SpectralCube(EnviFiles files, std::optional<Unit> unit)
+    : files_(std::move(files)),
       header_(checked(read_envi_header(files_), unit)),
       bands_(choose_bands(header_)),
       scale_(choose_scale(header_, unit)),

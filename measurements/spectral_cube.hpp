@@ -26,11 +26,12 @@ struct CubeScale {
 class SpectralCube {
 public:
     /// `path` names the header or the data. Throws InputError as `find_envi_files` and `read_envi_header`; when the
-    /// header has no wavelengths, marks all bands as bad, or gives a good one a wavelength outside [100, 10000] nm or
-    /// that of another; for whole numbers without a scale factor or gains; for a classification, for values that the
-    /// header calls no shares of light (a word of its description apart, where `unit` is given); and as
-    /// `open_envi_data`.
+    /// header has no wavelengths, marks all bands as bad, or gives a good one a wavelength outside [100, 10000] nm; for
+    /// whole numbers without a scale factor or gains; for a classification, for values that the header calls no shares
+    /// of light (a word of its description apart, where `unit` is given); and as `open_envi_data`.
     explicit SpectralCube(const std::filesystem::path& path, std::optional<Unit> unit = {});
+    /// The same of files that have been found.
+    explicit SpectralCube(EnviFiles files, std::optional<Unit> unit = {});
 
     /// What it was opened from.
     [[nodiscard]] const EnviFiles& files() const { return files_; }

@@ -41,11 +41,18 @@ struct Bandpass {
     double width_nm = 0.0;  ///< full width at half maximum, above 0
 };
 
+/// A wavelength that a file gives more than once.
+struct RepeatedWavelength {
+    double wavelength_nm;
+    std::string where;  ///< it stands again, as messages name the place
+    std::string first;  ///< what has it already, as in "line 4"
+};
+
 /// A measured spectrum. Wavelengths, values and uncertainties go together: entry i of each belongs to one wavelength.
 struct Spectrum {
     std::string name;                   ///< of the specimen: as its file says, else the column chosen, else the file
     std::string source;                 ///< the file it came from
-    std::vector<double> wavelength_nm;  ///< at least one, in [100, 10000], ascends strictly
+    std::vector<double> wavelength_nm;  ///< at least one, in [100, 10000], ascends; may repeat
     std::vector<double> value;          ///< finite fractions, one per wavelength; `read_spectrum` checks their range
     std::vector<double> sigma;          ///< standard uncertainty of `value`, as given; empty where not given
     std::optional<Quantity> quantity;   ///< where the file says so
@@ -58,7 +65,8 @@ struct Spectrum {
     std::string site{};                          ///< of the body, as its file names it
     std::optional<double> aperture_mm{};         ///< diameter, above 0
     std::optional<Bandpass> bandpass{};
-    std::size_t missing = 0;             ///< wavelengths of the file without a value; they are left out above
+    std::vector<double> missing_nm{};            ///< wavelengths of the file without a value; they are left out above
+    std::vector<RepeatedWavelength> repeated{};  ///< places of the first of the wavelengths above that come again
     std::vector<std::string> remarks{};  ///< what its reader left out, converted or could not make out, in words
     std::vector<FileDoubt> doubts{};     ///< in what its file contradicts itself
     std::string unusable{};  ///< why it is no spectrum that can be used; empty in all that `parse_spectra` returns

@@ -68,13 +68,13 @@ Grid make_grid(std::span<const double> wavelength_nm, const std::function<GridPl
     }
     std::ranges::stable_sort(grid.order, {}, [&](std::size_t i) { return wavelength_nm[i]; });
     for (const std::size_t i : grid.order) grid.wavelength_nm.push_back(wavelength_nm[i]);
-    const auto first = std::ranges::adjacent_find(grid.wavelength_nm);
-    if (first == grid.wavelength_nm.end()) return grid;
-    const std::size_t* const pair = grid.order.data() + (first - grid.wavelength_nm.begin());
-    throw InputError({.where = place(pair[1]).where,
-                      .problem = fmt::format("repeats the wavelength {} nm", *first),
-                      .why = fmt::format("{} has it already", place(pair[0]).which),
-                      .remedy = "keep one of the two or average them"});
+    for (std::size_t i = 1; i < grid.order.size() && grid.repeated.size() < most_repeated; ++i) {
+        if (grid.wavelength_nm[i] != grid.wavelength_nm[i - 1]) continue;
+        grid.repeated.push_back({.wavelength_nm = grid.wavelength_nm[i],
+                                 .where = place(grid.order[i]).where,
+                                 .first = place(grid.order[i - 1]).which});
+    }
+    return grid;
 }
 
 namespace {
@@ -85,12 +85,20 @@ void take_numbers(Spectrum& spectrum, const Grid& grid, const Readings& readings
     spectrum.value.reserve(grid.order.size());
     for (std::size_t i = 0; i < grid.order.size(); ++i) {
         const double value = readings.value[grid.order[i]];
-        if (std::isnan(value)) continue;
+        if (std::isnan(value)) {
+            spectrum.missing_nm.push_back(grid.wavelength_nm[i]);
+            continue;
+        }
         spectrum.wavelength_nm.push_back(grid.wavelength_nm[i]);
         spectrum.value.push_back(value);
         if (!readings.sigma.empty()) spectrum.sigma.push_back(readings.sigma[grid.order[i]]);
     }
-    spectrum.missing = grid.order.size() - spectrum.value.size();
+    spectrum.repeated = grid.repeated;
+    // Where one of the two has no value, there is one value.
+    std::erase_if(spectrum.repeated, [&](const RepeatedWavelength& each) {
+        const auto [first, last] = std::ranges::equal_range(spectrum.wavelength_nm, each.wavelength_nm);
+        return last - first < 2;
+    });
     if (!grid.remark.empty()) spectrum.remarks.push_back(grid.remark);
 }
 
@@ -105,12 +113,19 @@ void take_unit(Spectrum& spectrum, const UnitFinding& found) {
 
 void take_readings(Spectrum& spectrum, const Grid& grid, const Readings& readings, const UnitStatements& statements) {
     take_numbers(spectrum, grid, readings);
-    if (!spectrum.value.empty()) take_unit(spectrum, find_unit(statements, spectrum.value));
+    if (spectrum.value.empty()) return;
+    take_unit(spectrum, find_unit(statements, used_values(statements.window, spectrum.wavelength_nm, spectrum.value)));
 }
 
 void take_readings(Spectrum& spectrum, const Grid& grid, const Readings& readings, const UnitFinding& found) {
     take_numbers(spectrum, grid, readings);
     take_unit(spectrum, found);
+}
+
+std::vector<double> used_values(const WavelengthWindow& window, const Grid& grid, std::span<const double> readings) {
+    std::vector<double> in_order;
+    for (const std::size_t i : grid.order) in_order.push_back(readings[i]);
+    return used_values(window, grid.wavelength_nm, in_order);
 }
 
 std::optional<Quantity> quantity_named(std::string_view text) {

@@ -14,11 +14,15 @@
 /// What the readers have in common once they have numbers.
 namespace skinfit {
 
+/// So many repeated wavelengths are known by their places; nobody reads more.
+inline constexpr std::size_t most_repeated = 100;
+
 /// The wavelengths of one or more spectra, ascending.
 struct Grid {
     std::vector<double> wavelength_nm;
-    std::vector<std::size_t> order;  ///< where each stands in the file
-    std::string remark{};            ///< what was left out of the file's wavelengths, in words; else empty
+    std::vector<std::size_t> order;              ///< where each stands in the file
+    std::vector<RepeatedWavelength> repeated{};  ///< at most `most_repeated`, for messages
+    std::string remark{};                        ///< what was left out of the file's wavelengths, in words; else empty
 };
 
 /// How messages name the place of a wavelength.
@@ -27,10 +31,10 @@ struct GridPlace {
     std::string which;  ///< `line 4`
 };
 
-/// Sorts the wavelengths of a file, given in its order. Detectors of one instrument may overlap: of two to six runs
-/// that ascend, or descend, each with ten readings or more and each going on beyond the last, a later run's readings
-/// within an earlier one are left out. Throws InputError for a wavelength outside [100, 10000] nm and for one that is
-/// repeated otherwise; `place` names the i-th.
+/// Sorts the wavelengths of a file, given in its order; those that are repeated stay in it. But detectors of one
+/// instrument may overlap: of two to six runs that ascend, or descend, each with ten readings or more and each going on
+/// beyond the last, a later run's readings within an earlier one are left out. Throws InputError for a wavelength
+/// outside [100, 10000] nm; `place` names the i-th.
 [[nodiscard]] Grid make_grid(std::span<const double> wavelength_nm, const std::function<GridPlace(std::size_t)>& place);
 
 /// The readings of one spectrum, in the order of its file: NaN where one is missing.
@@ -39,11 +43,16 @@ struct Readings {
     std::span<const double> sigma{};  ///< empty where not given
 };
 
-/// Fills wavelengths, values, sigma, `missing` and `unit_rule` of `spectrum`; percent becomes fractions. Without any
-/// value all of them are empty.
+/// Fills wavelengths, values, sigma, `missing_nm`, `repeated` and `unit_rule` of `spectrum`; percent becomes fractions.
+/// The unit is that of the values in the window of `statements`, where there are some. Without any value all of them
+/// are empty.
 void take_readings(Spectrum& spectrum, const Grid& grid, const Readings& readings, const UnitStatements& statements);
 /// The same where the unit is known.
 void take_readings(Spectrum& spectrum, const Grid& grid, const Readings& readings, const UnitFinding& found);
+
+/// Of readings in the order of their file, those in the window that are numbers; all that are where it has none.
+[[nodiscard]] std::vector<double> used_values(const WavelengthWindow& window, const Grid& grid,
+                                              std::span<const double> readings);
 
 /// The quantity that a column's name or a title states; nothing where it names none or both.
 [[nodiscard]] std::optional<Quantity> quantity_named(std::string_view text);

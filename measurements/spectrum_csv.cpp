@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <set>
 
@@ -83,8 +84,9 @@ std::vector<double> common_wavelengths(const std::vector<Spectrum>& spectra, con
     }
     if (alike) return spectra.front().wavelength_nm;
     all.insert(spectra.front().wavelength_nm.begin(), spectra.front().wavelength_nm.end());
-    const bool explained = std::ranges::all_of(
-        spectra, [&all](const Spectrum& spectrum) { return spectrum.value.size() + spectrum.missing == all.size(); });
+    const bool explained = std::ranges::all_of(spectra, [&all](const Spectrum& spectrum) {
+        return spectrum.value.size() + spectrum.missing_nm.size() == all.size();
+    });
     if (explained) return {all.begin(), all.end()};
     const auto other = std::ranges::find_if(spectra, [&spectra](const Spectrum& spectrum) {
         return spectrum.wavelength_nm != spectra.front().wavelength_nm;
@@ -120,7 +122,8 @@ std::string table(const std::vector<Spectrum>& spectra, const std::vector<double
             const Spectrum& spectrum = spectra[k];
             const bool has = next[k] < spectrum.value.size() && spectrum.wavelength_nm[next[k]] == nm;
             text += has ? fmt::format(",{}", spectrum.value[next[k]]) : ",";
-            if (!spectrum.sigma.empty()) text += has ? fmt::format(",{}", spectrum.sigma[next[k]]) : ",";
+            const bool has_sigma = has && !spectrum.sigma.empty() && !std::isnan(spectrum.sigma[next[k]]);
+            if (!spectrum.sigma.empty()) text += has_sigma ? fmt::format(",{}", spectrum.sigma[next[k]]) : ",";
             if (has) ++next[k];
         }
         text += "\n";

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
+#include <utility>
 
 #include "core/file.hpp"
 #include "core/input_error.hpp"
@@ -89,21 +89,18 @@ void refuse_region(const RegionChoice& region, const std::string& source) {
                       .remedy = "leave the mask and the rectangle out"});
 }
 
-/// Refuses a file whose first line is too long before all of it is read. JSON may be one line; the rest of the lines is
-/// checked where they are taken apart.
-void refuse_long_first_line(const std::filesystem::path& path) {
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(path, ignored)) return;
-    std::ifstream stream(path, std::ios::binary);
-    std::array<char, std::size_t{1} << 16U> block{};
-    std::size_t size = 0;
-    for (; size <= longest_line_bytes; size += block.size()) {
-        stream.read(block.data(), block.size());
-        const std::string_view text(block.data(), static_cast<std::size_t>(stream.gcount()));
-        const bool maybe_json = size == 0 && (trimmed(text).starts_with('{') || trimmed(text).starts_with('['));
-        if (!stream || maybe_json || text.find_first_of("\r\n") != std::string_view::npos) return;
-    }
-    refuse_long_line(size, 1, path.string());
+/// The text of a file. One whose first line is too long is refused before all of it is read. JSON may be one line; the
+/// rest of the lines is checked where they are taken apart.
+std::string text_of(const std::filesystem::path& path) {
+    std::size_t looked_at = 0;
+    bool is_good = false;
+    return read_input(path, [&](std::string_view so_far) {
+        is_good = is_good || trimmed(so_far).starts_with('{') || trimmed(so_far).starts_with('[') ||
+                  so_far.find_first_of("\r\n", looked_at) != std::string_view::npos;
+        looked_at = so_far.size();
+        if (!is_good) refuse_long_line(so_far.size(), 1, path.string());
+        return true;
+    });
 }
 
 /// What the file calls things, as it may be shown.
@@ -126,9 +123,23 @@ SpectrumFile with_printable_words(SpectrumFile file) {
 
 }  // namespace
 
-std::string read_spectrum_text(const std::filesystem::path& path) {
-    refuse_long_first_line(path);
-    return read_file(path);
+OpenedSpectra open_spectra(const std::filesystem::path& path, const std::optional<std::string>& reader) {
+    OpenedSpectra opened{.source = path.string(), .text = {}, .cube = {}, .reader = reader};
+    if (reader == envi_reader_name) {
+        opened.cube = find_envi_files(path);
+        return opened;
+    }
+    const std::optional<EnviHeaderFile> beside = reader ? std::nullopt : envi_header_beside(path);
+    if (beside) {
+        opened.cube = EnviFiles{.header = beside->path, .data = path, .header_text = beside->text};
+        return opened;
+    }
+    opened.text = text_of(path);
+    if (!reader && is_envi_header(opened.text)) {
+        opened.cube = files_of({.path = path, .text = std::move(opened.text)});
+        opened.text.clear();
+    }
+    return opened;
 }
 
 std::vector<std::string_view> reader_names() {
@@ -161,13 +172,17 @@ SpectrumFile parse_spectra(std::string_view text, const std::string& source, con
     return with_printable_words(std::move(file));
 }
 
-SpectrumFile read_spectra(const std::filesystem::path& path, const ReadOptions& options,
-                          const std::optional<std::string>& reader) {
-    if (!is_cube(path, reader)) return parse_spectra(read_spectrum_text(path), path.string(), options, reader);
+SpectrumFile spectra_in(const OpenedSpectra& opened, const ReadOptions& options) {
+    if (!opened.cube) return parse_spectra(opened.text, opened.source, options, opened.reader);
     SpectrumFile file{
-        .source = path.string(), .format = std::string(envi_reader_name), .spectra = read_envi(path, options)};
+        .source = opened.source, .format = std::string(envi_reader_name), .spectra = read_envi(*opened.cube, options)};
     if (options.column) file.spectra = {choose_spectrum(std::move(file.spectra), file.source, *options.column)};
     return with_printable_words(std::move(file));
+}
+
+SpectrumFile read_spectra(const std::filesystem::path& path, const ReadOptions& options,
+                          const std::optional<std::string>& reader) {
+    return spectra_in(open_spectra(path, reader), options);
 }
 
 }  // namespace skinfit

@@ -29,7 +29,7 @@ Json json_of(const Spectrum& spectrum) {
         json["bandpass_width_nm"] = spectrum.bandpass->width_nm;
     }
     put_text("sigma_source", spectrum.sigma_source);
-    if (spectrum.missing > 0) json["missing"] = spectrum.missing;
+    if (!spectrum.missing_nm.empty()) json["missing_nm"] = spectrum.missing_nm;
     for (const FileNote& note : spectrum.notes) json["notes"].push_back(Json::array({note.key, note.value}));
     json["unit"] = "fraction";
     json["wavelength_nm"] = spectrum.wavelength_nm;

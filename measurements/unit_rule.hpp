@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "measurements/wavelength_window.hpp"
+
 namespace skinfit {
 
 /// The unit of the values in a file.
@@ -28,6 +30,7 @@ struct UnitStatements {
     std::string_view header{};      ///< the name of the values; `values_stated` says what it states
     std::optional<Unit> named{};    ///< the same where it is known already
     std::string_view percent_in{};  ///< another spectrum of the table that is in percent, where one is; else empty
+    WavelengthWindow window{};      ///< where nothing states it: of the values that are looked at
 };
 
 /// The unit as stated; where nothing states it, percent when half of `values` or more exceed `largest_fraction`, or

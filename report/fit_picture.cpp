@@ -96,7 +96,7 @@ std::string short_name(const FittedSpectrum& spectrum) {
 std::string spectrum_panel(const FittedSpectrum& spectrum, std::size_t k) {
     const double largest =
         std::max(*std::ranges::max_element(spectrum.measured), *std::ranges::max_element(spectrum.modelled));
-    const auto quantity = static_cast<std::size_t>(spectrum.configuration.quantity.value());
+    const auto quantity = static_cast<std::size_t>(spectrum.configuration.quantity);
     constexpr double room_for_legend = 1.25;
     std::string script = fmt::format("set title {}\nset ylabel {}\nset yrange [{}\nset format x ''\nunset xlabel\n",
                                      gnuplot_string(short_name(spectrum)), gnuplot_string(quantity_names.at(quantity)),

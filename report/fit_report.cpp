@@ -61,7 +61,7 @@ Html tables_list() {
 }
 
 HtmlSection provenance_section(const FitResult& result, const ReportOrigin& origin) {
-    const Configuration& configuration = result.spectra.front().configuration;
+    const ResolvedConfiguration& configuration = result.spectra.front().configuration;
     const Json json = to_json(configuration);
     std::vector<std::pair<std::string, Html>> items = {{"program", escaped(fmt::format("skinfit {}", version))}};
     if (!origin.command_line.empty()) items.emplace_back("command", element("code", escaped(origin.command_line)));

@@ -110,11 +110,10 @@ HtmlSection spectrum_section(const FitResult& result) {
     for (const FittedSpectrum& each : result.spectra) {
         section.body += html_figure(
             {.picture = fit_picture({&each, 1}, "fit.svg"),
-             .alternative =
-                 fmt::format("Measured and modelled {} of {} from {:g} to {:g} nm; root mean square of the "
-                             "residuals {:.5f}",
-                             quantity_names.at(static_cast<std::size_t>(each.configuration.quantity.value())),
-                             each.name, each.wavelength_nm.front(), each.wavelength_nm.back(), each.rmse),
+             .alternative = fmt::format("Measured and modelled {} of {} from {:g} to {:g} nm; root mean square of the "
+                                        "residuals {:.5f}",
+                                        quantity_names.at(static_cast<std::size_t>(each.configuration.quantity)),
+                                        each.name, each.wavelength_nm.front(), each.wavelength_nm.back(), each.rmse),
              .caption = fmt::format("{}: {}. Band of the model: {}. Noise: {}.", each.name,
                                     instrument_words(each.configuration), band_words(result), each.sigma_source)});
     }

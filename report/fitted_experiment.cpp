@@ -17,7 +17,7 @@ bool belongs_to(const FittedParameter& fitted, std::size_t number) {
 }  // namespace
 
 Experiment fitted_experiment(const FitResult& result, std::size_t number) {
-    Configuration configuration = result.spectra[number].configuration;
+    ResolvedConfiguration configuration = result.spectra[number].configuration;
     for (const FittedParameter& fitted : result.free) {
         if (belongs_to(fitted, number)) value_of(configuration.values, fitted.parameter) = fitted.value;
     }

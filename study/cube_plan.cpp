@@ -25,7 +25,7 @@ std::string stamp_of(const std::filesystem::path& path) {
 }
 
 std::string hash_of(const StudyCube& cube, const SpectralCube& opened) {
-    std::string text = read_file(opened.files().header) + stamp_of(opened.files().data);
+    std::string text = opened.files().header_text + stamp_of(opened.files().data);
     text += cube.unit ? std::string(unit_names[static_cast<std::size_t>(*cube.unit)]) : std::string();
     if (cube.region.mask) text += stamp_of(*cube.region.mask);
     if (const std::optional<Rectangle>& rectangle = cube.region.rectangle) {
@@ -59,12 +59,13 @@ std::string map_name(const std::string& source) {
     return name + "_map.dat";
 }
 
-CubeEntry planned(const StudyCube& cube) {
+CubeEntry planned(StudyReader& reader, std::size_t number) {
+    const StudyCube& cube = reader.study().cubes[number];
     CubeEntry entry;
     entry.source = cube.source;
     entry.metadata = cube.metadata;
     try {
-        const SpectralCube opened(cube.path, cube.unit);
+        const SpectralCube opened(reader.files_of_cube(number), cube.unit);
         require_picture(opened.header());
         const CubeRegion region(cube.region, opened);
         entry.input_hash = hash_of(cube, opened);
@@ -80,10 +81,12 @@ CubeEntry planned(const StudyCube& cube) {
     return entry;
 }
 
-std::optional<std::string> write_map(const Ledger& ledger, const Study& study, const StudyCube& cube,
+std::optional<std::string> write_map(const Ledger& ledger, StudyReader& reader, std::size_t number,
                                      const DiskCache& cache) {
-    const SpectralCube opened(cube.path, cube.unit);
-    const PixelFitter fitter(configuration_of(study), common_spectrum(opened), cache);
+    const Study& study = reader.study();
+    const StudyCube& cube = study.cubes[number];
+    const SpectralCube opened(reader.files_of_cube(number), cube.unit);
+    const PixelFitter fitter(study.configuration, common_spectrum(opened), cache);
     const std::filesystem::path folder = study.output / "maps";
     make_folder(folder, folder.string());
     const std::filesystem::path map = folder / map_name(cube.source);

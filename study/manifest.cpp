@@ -21,15 +21,15 @@ std::string spectrum_name(const Cohort& cohort, const SimulatedSubject& subject,
 
 /// As the row reader understands it.
 std::string description(const Cohort& cohort) {
-    const Configuration complete = resolved(cohort.configuration, Spectrum{});
+    const ResolvedConfiguration complete = resolved(cohort.configuration);
     std::string text = fmt::format("# skinfit {} simulated cohort {}\n", version, cohort.name);
     const auto put = [&text](std::string_view key, const auto& value) {
         text += fmt::format("# {}: {}\n", key, value);
     };
-    put("quantity", quantity_names[static_cast<std::size_t>(*complete.quantity)]);
+    put("quantity", quantity_names[static_cast<std::size_t>(complete.quantity)]);
     put("unit", "fraction");
-    put("incidence_deg", *complete.incidence_deg);
-    put("specular", specular_names[static_cast<std::size_t>(*complete.specular)]);
+    put("incidence_deg", complete.incidence_deg);
+    put("specular", specular_names[static_cast<std::size_t>(complete.specular)]);
     if (complete.viewing_cone_deg) put("viewing_cone_deg", *complete.viewing_cone_deg);
     if (const std::optional<Bandpass> band = bandpass_of(complete)) {
         put("bandpass_shape", bandpass_shape_names[static_cast<std::size_t>(band->shape)]);

@@ -8,7 +8,7 @@ std::optional<StudyRun> run_study_together(const Study& study, const StudyRunOpt
     if (launched_processes() == 1) return run_study(study, options);
     MpiJob job;
     if (!job.leads()) {
-        WorkerThreads threads(options.jobs, study_worker(study, options.cache));
+        WorkerThreads threads(options.jobs, study_worker(std::make_shared<StudyReader>(study), options.cache));
         job.follow(threads);
         return std::nullopt;
     }

@@ -61,10 +61,11 @@ BulkFitter fitter_of(const FitProblem& problem, const DiskCache& cache) {
 }
 
 /// Every check of a spectrum by itself can reject a pixel under its own name, but for those of repeats and of the
-/// reader's remarks: pixels have none.
+/// reader's remarks, of which pixels have none, and of repeated wavelengths, which are the whole cube's.
 static_assert(std::ranges::all_of(spectrum_checks, [](const SpectrumCheck& each) {
     return (std::ranges::find(pixel_reason_names, each.name) == pixel_reason_names.end()) ==
-           (each.name == "noise_against_repeats" || each.name == "doubtful_file" || each.name == "as_read");
+           (each.name == "noise_against_repeats" || each.name == "doubtful_file" || each.name == "as_read" ||
+            each.name == "repeated_wavelengths");
 }));
 
 PixelReason reason_named(const std::string& finding) {
@@ -85,9 +86,8 @@ PixelFit without_numbers(FitStatus status, PixelReason reason, std::size_t free_
 }  // namespace
 
 PixelFitter::PixelFitter(const Configuration& configuration, const Spectrum& common, const DiskCache& cache)
-    : configuration_(for_pixels(configuration)),
-      common_(common),
-      problem_(problem_of(configuration_, common)),
+    : common_(common),
+      problem_(problem_of(for_pixels(configuration), common)),
       fitted_(places(problem_.only().wavelength_nm, common.wavelength_nm)),
       improbable_chi2_(improbable_chi2(problem_)),
       fitter_(fitter_of(problem_, cache)) {}
@@ -98,12 +98,14 @@ PixelReason PixelFitter::reason_to_reject(std::span<const double> values) const 
     Spectrum spectrum = common_;
     spectrum.wavelength_nm.clear();
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (std::isnan(values[i])) continue;
+        if (std::isnan(values[i])) {
+            spectrum.missing_nm.push_back(common_.wavelength_nm[i]);
+            continue;
+        }
         spectrum.wavelength_nm.push_back(common_.wavelength_nm[i]);
         spectrum.value.push_back(values[i]);
     }
-    spectrum.missing = values.size() - spectrum.value.size();
-    for (const Finding& finding : findings_before_fit(configuration_, std::span(&spectrum, 1))) {
+    for (const Finding& finding : findings_before_fit(problem_.only().configuration, spectrum)) {
         if (finding.severity == Severity::warning) return reason_named(finding.name);
     }
     return PixelReason::none;

@@ -19,7 +19,7 @@ namespace skinfit {
 /// Why a pixel is not simply fitted. The numbers are those of the plane `reason` of a map.
 enum class PixelReason : std::uint8_t {
     none,
-    missing_values,    ///< rejected: no number at a wavelength of the fit, or at more than one in ten of all
+    missing_values,    ///< rejected: no number at a wavelength of the fit
     unit_conflict,     ///< rejected; this and the next ones as the findings of quality_checks.hpp
     outside_0_1,       ///< rejected
     offset,            ///< rejected
@@ -88,7 +88,6 @@ private:
     [[nodiscard]] PixelReason reason_to_reject(std::span<const double> values) const;
     [[nodiscard]] PixelReason reason_to_doubt(const BulkFit& fit) const;
 
-    Configuration configuration_;
     Spectrum common_;
     FitProblem problem_;
     std::vector<std::size_t> fitted_;        ///< of the wavelengths of the cube

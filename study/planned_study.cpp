@@ -101,7 +101,7 @@ void check_study(const Cohort& cohort, const std::string& where) {
 Configuration planned_fit(const Cohort& cohort) {
     const Configuration& first = cohort.groups.front().configuration;
     Configuration fit = first;
-    fit.engine = resolved(fit, Spectrum{}).viewing_cone_deg ? Engine::solver : Engine::emulator;
+    fit.engine = resolved(fit).viewing_cone_deg ? Engine::solver : Engine::emulator;
     fit.free.fill(false);
     fit.priors.fill(std::nullopt);
     for (const Parameter parameter : varying_parameters(cohort)) {

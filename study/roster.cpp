@@ -167,14 +167,14 @@ std::string input_hash_of(const Spectrum& spectrum) {
     for (const std::string& remark : spectrum.remarks) bytes.add(remark);
     for (const FileDoubt& doubt : spectrum.doubts) bytes.add(doubt.message);
     for (const std::vector<double>& repeat : spectrum.repeats) bytes.add(repeat);
-    bytes.add(fmt::format("{}", spectrum.missing));
+    bytes.add(spectrum.missing_nm);
     return content_hash(bytes.text());
 }
 
-StudySpectra read_study_file(const StudyFile& file) {
+StudySpectra read_study_file(const StudyFile& file, const WavelengthWindow& window) {
     StudySpectra all;
     try {
-        const SpectrumFile read = read_spectra(file.path, {.unit = file.unit}, file.reader);
+        const SpectrumFile read = read_spectra(file.path, {.unit = file.unit, .window = window}, file.reader);
         if (file.selected.empty()) {
             add_all(file, read.spectra, {}, all);
         } else {
@@ -186,14 +186,16 @@ StudySpectra read_study_file(const StudyFile& file) {
     return all;
 }
 
-void refuse_duplicates(StudySpectra& spectra, std::map<std::string, std::string>& seen) {
+void refuse_duplicates(StudySpectra& spectra, std::map<std::string, std::string>& seen,
+                       const WavelengthWindow& window) {
     constexpr std::size_t fewest = 3;  // readings: fewer may agree by chance, as in `duplicates`
     for (std::size_t i = 0; i < spectra.entries.size(); ++i) {
         RosterEntry& entry = spectra.entries[i];
-        if (entry.refusal || spectra.spectra[i].value.size() < fewest) continue;
+        const Spectrum used = part_of(spectra.spectra[i], window);
+        if (entry.refusal || used.value.size() < fewest) continue;
         Bytes values;
-        values.add(spectra.spectra[i].wavelength_nm);
-        values.add(spectra.spectra[i].value);
+        values.add(used.wavelength_nm);
+        values.add(used.value);
         const std::string name = fmt::format("{} {}", entry.source, entry.name);
         const auto [first, is_new] = seen.try_emplace(content_hash(values.text()), name);
         if (is_new) continue;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "measurements/spectrum.hpp"
+#include "measurements/wavelength_window.hpp"
 #include "study/fit_status.hpp"
 #include "study/study.hpp"
 
@@ -35,14 +36,15 @@ struct StudySpectra {
     std::size_t left_out = 0;          ///< spectra that the study's pattern of names does not know
 };
 
-/// Reads one file. What cannot be read, a line of a manifest that names no spectrum of it too, becomes an entry with a
-/// refusal.
-[[nodiscard]] StudySpectra read_study_file(const StudyFile& file);
+/// Reads one file; nothing outside `window` decides its unit. What cannot be read, a line of a manifest that names no
+/// spectrum of it too, becomes an entry with a refusal.
+[[nodiscard]] StudySpectra read_study_file(const StudyFile& file, const WavelengthWindow& window = {});
 
 /// What a spectrum is to a fit, in one word; where it came from and what it is called have no part in it.
 [[nodiscard]] std::string input_hash_of(const Spectrum& spectrum);
 
-/// Refuses what repeats the values of an earlier entry; `seen` remembers them from file to file.
-void refuse_duplicates(StudySpectra& spectra, std::map<std::string, std::string>& seen);
+/// Refuses what repeats the values of an earlier entry in `window`; `seen` remembers them from file to file.
+void refuse_duplicates(StudySpectra& spectra, std::map<std::string, std::string>& seen,
+                       const WavelengthWindow& window = {});
 
 }  // namespace skinfit

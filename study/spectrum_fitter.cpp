@@ -10,17 +10,9 @@
 #include "fit/fit.hpp"
 #include "fit/inspection.hpp"
 #include "fit/report.hpp"
-#include "measurements/text_reader.hpp"
 
 namespace skinfit {
 namespace {
-
-/// The readers of whole files leave uncertainties unchecked.
-void check_sigma(const Spectrum& spectrum) {
-    for (std::size_t i = 0; i < spectrum.sigma.size(); ++i) {
-        refuse_sigma(spectrum, i, [&](std::size_t) { return ValuePlace{.where = spectrum.source}; });
-    }
-}
 
 /// The first warning that is not accepted.
 const Finding* rejecting(const std::vector<Finding>& findings, const std::vector<std::string>& accepted) {
@@ -77,20 +69,17 @@ SpectrumFitter::SpectrumFitter(const Study& study, const DiskCache& cache)
     : study_(&study), cache_(cache), shelf_(cache) {}
 
 StudiedSpectrum SpectrumFitter::fit_it(const Spectrum& spectrum) {
-    check_sigma(spectrum);
-    const Configuration configuration = configuration_of(*study_, spectrum);
-    const std::span<const Spectrum> only(&spectrum, 1);
-    const std::vector<Finding> findings = findings_before_fit(configuration, only);
+    const FitInput input = fit_input(study_->configuration, {&spectrum, 1});
+    const std::vector<Finding> findings = findings_before_fit(input);
     if (const Finding* const finding = rejecting(findings, study_->accept)) {
         return {.status = FitStatus::rejected, .reason = fmt::format("{}: {}", finding->name, finding->message)};
     }
-    const FitResult result =
-        fit_spectra(configuration, only,
-                    {.cache = cache_, .findings = findings, .models = [this](const auto& problem, Engine engine) {
-                         return shelf_.models(problem, engine);
-                     }});
+    const FitResult result = fit_spectra(
+        input, {.cache = cache_, .findings = findings, .models = [this](const auto& problem, Engine engine) {
+                    return shelf_.models(problem, engine);
+                }});
     StudiedSpectrum studied = described(result);
-    studied.indices = indices_of(spectrum, result.configuration.noise.value());
+    studied.indices = indices_of(spectrum, input.parts.front().configuration.noise);
     return studied;
 }
 

@@ -88,15 +88,19 @@ struct Assessment {
     std::vector<double> thresholds{0.5};  ///< probabilities from which the answer is yes
 };
 
+/// The configuration of the fits of a study that states nothing: that of `skinfit fit`, by the emulator.
+[[nodiscard]] Configuration default_study_configuration();
+
 /// A study, as its file describes it.
 struct Study {
     std::string name;
     std::filesystem::path file;
     std::vector<StudyFile> files;  ///< in the order of `inputs`; no two have the same source
     std::vector<StudyCube> cubes;
-    Json fit = Json::object();              ///< settings of the fits
-    std::optional<std::string> instrument;  ///< beside them
-    std::vector<std::string> accept;        ///< quality findings that do not reject a spectrum
+    Json fit = Json::object();                                    ///< settings of the fits, as the file states them
+    std::optional<std::string> instrument;                        ///< beside them
+    Configuration configuration = default_study_configuration();  ///< of the fits, with both of these
+    std::vector<std::string> accept;                              ///< quality findings that do not reject a spectrum
     std::vector<std::string> group_by;
     std::string repeats_of;  ///< metadata that name a specimen: spectra with the same word are repeats; empty: none
     std::vector<Indicator> indicators;
@@ -113,12 +117,5 @@ struct Study {
 /// The same from text; `path` names it in messages and is where relative names start.
 [[nodiscard]] Study parse_study(std::string_view text, const std::filesystem::path& path,
                                 const std::filesystem::path& data = {});
-
-/// The configuration of the fits, as far as the study decides it: that of `skinfit fit`, by the emulator, with what the
-/// study's file says. Throws InputError as `configured`.
-[[nodiscard]] Configuration configuration_of(const Study& study);
-
-/// The same for one spectrum: what its file states of edition, layers and base holds where the study does not state it.
-[[nodiscard]] Configuration configuration_of(const Study& study, const Spectrum& spectrum);
 
 }  // namespace skinfit

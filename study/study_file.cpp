@@ -48,7 +48,7 @@ Json read_settings(const Json& json, const std::filesystem::path& folder) {
     if (!json.contains("fit")) return Json::object();
     if (!json["fit"].is_string()) return json["fit"];
     const std::filesystem::path path = folder / json["fit"].get<std::string>();
-    return parsed_json(read_file(path), path.string(), "see `skinfit config show`");
+    return parsed_json(read_input(path), path.string(), "see `skinfit config show`");
 }
 
 std::optional<std::string> read_instrument(const Json& json, const std::filesystem::path& folder,
@@ -63,7 +63,7 @@ std::optional<std::string> read_instrument(const Json& json, const std::filesyst
     }
     // A file lies relative to the study; anything else is the name of an instrument.
     const std::filesystem::path file = folder / instrument;
-    return std::filesystem::is_regular_file(file) ? file.string() : instrument;
+    return std::filesystem::exists(file) && !std::filesystem::is_directory(file) ? file.string() : instrument;
 }
 
 /// Findings are named as `skinfit inspect` names them; a name that no check has would change nothing.
@@ -121,8 +121,11 @@ Study parse_study(std::string_view text, const std::filesystem::path& path, cons
     check_map_names(study.cubes, where);
     study.fit = read_settings(json, folder);
     study.instrument = read_instrument(json, folder, where);
-    // So that what is wrong with them is said now.
-    check_freedom(with_instrument(configuration_of(study)), where + ".fit.free");
+    study.configuration = configured(default_study_configuration(), study.fit, where + ".fit");
+    if (study.instrument) {
+        study.configuration.instrument = find_instrument(*study.instrument, where + ".instrument");
+    }
+    check_freedom(study.configuration, where + ".fit.free");
     study.accept = read_words(json, "accept", where);
     check_accepted(study.accept, where);
     study.group_by = read_words(json, "group_by", where);
@@ -136,7 +139,7 @@ Study parse_study(std::string_view text, const std::filesystem::path& path, cons
 }
 
 Study read_study(const std::filesystem::path& path, const std::filesystem::path& data) {
-    return parse_study(read_file(path), path, data);
+    return parse_study(read_input(path), path, data);
 }
 
 }  // namespace skinfit

@@ -166,7 +166,7 @@ void add_manifest(const Json& json, const fs::path& folder, const std::string& w
     const fs::path path = folder / named;
     const std::size_t first = inputs.files.size();
     std::map<std::string, std::size_t> places;
-    for (const ManifestRow& row : parse_manifest(read_file(path), path.string())) {
+    for (const ManifestRow& row : parse_manifest(read_input(path), path.string())) {
         const fs::path file = path.parent_path() / row.file;
         const auto [place, is_new] =
             places.try_emplace(source_of(file, named.parent_path() / row.file, folder), first + places.size());

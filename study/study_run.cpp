@@ -13,7 +13,7 @@
 #include "core/version.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/gnuplot.hpp"
-#include "fit/named_instrument.hpp"
+#include "fit/problem.hpp"
 #include "study/cube_plan.hpp"
 #include "study/ledger_lock.hpp"
 #include "study/ledger_merge.hpp"
@@ -37,17 +37,18 @@ bool belongs(std::size_t position, const StudyPart& part) {
     return position / spectra_at_once % part.parts == part.number - 1;
 }
 
-Plan plan_of(const Study& study) {
+Plan plan_of(StudyReader& reader) {
+    const Study& study = reader.study();
     Plan plan;
     std::map<std::string, std::string> seen;
     const bool duplicates_count = std::ranges::find(study.accept, "duplicate") == study.accept.end();
-    for (const StudyFile& file : study.files) {
-        StudySpectra read = read_study_file(file);
-        if (duplicates_count) refuse_duplicates(read, seen);
+    for (std::size_t file = 0; file < study.files.size(); ++file) {
+        StudySpectra read = *reader.spectra_of(file);
+        if (duplicates_count) refuse_duplicates(read, seen, reader.window());
         plan.left_out += read.left_out;
         std::ranges::move(read.entries, std::back_inserter(plan.roster));
     }
-    for (const StudyCube& cube : study.cubes) plan.cubes.push_back(planned(cube));
+    for (std::size_t cube = 0; cube < study.cubes.size(); ++cube) plan.cubes.push_back(planned(reader, cube));
     return plan;
 }
 
@@ -138,7 +139,7 @@ void store(Ledger& ledger, const Study& study, const Plan& plan, const StudyDone
 
 /// Settings with which no spectrum could be fitted are an error of the study, not of each of its spectra.
 void check_settings(const Study& study) {
-    const Configuration configuration = with_instrument(configuration_of(study));
+    const Configuration configuration = with_instrument(study.configuration);
     Spectrum ramp;
     ramp.source = study.file.string();
     constexpr double step_nm = 5;
@@ -151,15 +152,17 @@ void check_settings(const Study& study) {
 
 /// Writes the maps of all cubes whose tiles are all done. Those whose pictures cannot be drawn are `undrawn` from then
 /// on; the next run tries again.
-void write_maps(const Study& study, const Ledger& ledger, const StudyRunOptions& options,
+void write_maps(StudyReader& reader, const Ledger& ledger, const StudyRunOptions& options,
                 std::set<std::string>& undrawn) {
+    const std::vector<StudyCube>& cubes = reader.study().cubes;
     for (const CubeRow& row : cube_rows(ledger)) {
         if (row.tiles == 0 || row.tiles_done < row.tiles || !row.map.empty() || !row.reason.empty()) continue;
         if (undrawn.contains(row.source)) continue;
         if (!undrawn.empty() && options.stop()) return;  // which ended a picture too
-        const auto cube = std::ranges::find(study.cubes, row.source, &StudyCube::source);
+        const auto cube = std::ranges::find(cubes, row.source, &StudyCube::source);
         options.tell(fmt::format("writing the map of {}", row.source));
-        const std::optional<std::string> problem = write_map(ledger, study, *cube, options.cache);
+        const std::optional<std::string> problem =
+            write_map(ledger, reader, static_cast<std::size_t>(cube - cubes.begin()), options.cache);
         if (!problem) continue;
         undrawn.insert(row.source);
         options.tell(fmt::format(
@@ -182,7 +185,7 @@ void make_folder_of(const std::filesystem::path& ledger) {
 void note_settings(Ledger& ledger, const Study& study) {
     ledger.set_note("study", study.name);
     ledger.set_note("version", std::string(version));
-    ledger.set_note("configuration", to_json(with_instrument(configuration_of(study))).dump());
+    ledger.set_note("configuration", to_json(with_instrument(study.configuration)).dump());
 }
 
 void tell_change(const RosterChange& change, const StudyRunOptions& options) {
@@ -206,7 +209,7 @@ std::filesystem::path ledger_path(const Study& study) {
 
 std::string configuration_hash_of(const Study& study) {
     // What an instrument says counts, not the file that says it.
-    Configuration configuration = with_instrument(configuration_of(study));
+    Configuration configuration = with_instrument(study.configuration);
     configuration.instrument.reset();
     const Json everything = {
         {"version", version}, {"configuration", to_json(configuration)}, {"fit", study.fit}, {"accept", study.accept}};
@@ -220,7 +223,8 @@ StudyRun run_study(const Study& study, const StudyRunOptions& options) {
     const LedgerLock lock(options.ledger);
     Ledger ledger(options.ledger, Ledger::Access::write);
     const std::string hash = configuration_hash_of(study);
-    Plan plan = plan_of(study);
+    const auto reader = std::make_shared<StudyReader>(study);
+    Plan plan = plan_of(*reader);
     if (options.part) take_part(plan, *options.part);
     StudyRun run{.change = ledger.take(plan.roster, hash), .left_out = plan.left_out, .progress = {}};
     take_cubes(ledger, plan.cubes, hash);
@@ -232,10 +236,10 @@ StudyRun run_study(const Study& study, const StudyRunOptions& options) {
     std::vector<std::size_t> waiting = tiles_of_cubes(tasks, study.cubes.size());
     std::set<std::string> undrawn;
     const auto finish_maps = [&] {
-        if (!options.part) write_maps(study, ledger, options, undrawn);
+        if (!options.part) write_maps(*reader, ledger, options, undrawn);
     };
     {
-        WorkerThreads threads(options.jobs, study_worker(study, options.cache));
+        WorkerThreads threads(options.jobs, study_worker(reader, options.cache));
         const std::size_t done = lead(threads,
                                       {.tasks = tasks.size(),
                                        .text = [&](std::size_t number) { return bytes_of(tasks[number]); },
@@ -263,7 +267,8 @@ StudyRun merge_study(const Study& study, const std::vector<std::filesystem::path
     const LedgerLock lock(options.ledger);
     Ledger ledger(options.ledger, Ledger::Access::write);
     const std::string hash = configuration_hash_of(study);
-    const Plan plan = plan_of(study);
+    StudyReader reader(study);
+    const Plan plan = plan_of(reader);
     StudyRun run{.change = ledger.take(plan.roster, hash), .left_out = plan.left_out, .progress = {}};
     take_cubes(ledger, plan.cubes, hash);
     note_settings(ledger, study);
@@ -273,7 +278,7 @@ StudyRun merge_study(const Study& study, const std::vector<std::filesystem::path
         run.progress.spectra += taken.spectra;
     }
     std::set<std::string> undrawn;
-    write_maps(study, ledger, options, undrawn);
+    write_maps(reader, ledger, options, undrawn);
     run.undrawn_maps = undrawn.size();
     return run;
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "model/disk_cache.hpp"
 #include "study/ledger.hpp"
 #include "study/study.hpp"
+#include "study/study_reader.hpp"
 #include "study/worker_threads.hpp"
 
 namespace skinfit {
@@ -57,8 +59,8 @@ struct StudyRun {
 /// version.
 [[nodiscard]] std::string configuration_hash_of(const Study& study);
 
-/// Does the tasks of a run of the study; the same in every process. `study` must outlive it.
-[[nodiscard]] Worker study_worker(const Study& study, const DiskCache& cache);
+/// Does the tasks of a run of the reader's study; the same in every process.
+[[nodiscard]] Worker study_worker(std::shared_ptr<StudyReader> reader, const DiskCache& cache);
 
 /// Fits whatever of the study has not been fitted, and keeps each answer in the ledger as soon as it is there. Whatever
 /// ends the program, running it again goes on where it was. Throws InputError where the ledger is in use or cannot be

@@ -2,6 +2,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <utility>
 
 #include "core/input_error.hpp"
 #include "measurements/envi_reader.hpp"
@@ -16,10 +17,11 @@ namespace {
 /// What the tasks of a study share in one process.
 class Workshop {
 public:
-    Workshop(const Study& study, const DiskCache& cache) : study_(study), cache_(cache), fitter_(study, cache) {}
+    Workshop(std::shared_ptr<StudyReader> reader, const DiskCache& cache)
+        : reader_(std::move(reader)), study_(reader_->study()), cache_(cache), fitter_(study_, cache) {}
 
     SpectraDone fit(const SpectraTask& task) {
-        const std::shared_ptr<const StudySpectra> read = spectra_of(task.file);
+        const std::shared_ptr<const StudySpectra> read = reader_->spectra_of(task.file);
         SpectraDone done;
         for (const TaskedSpectrum& wanted : task.spectra) {
             for (std::size_t i = 0; i < read->entries.size(); ++i) {
@@ -39,7 +41,7 @@ public:
         TileDone done{.cube = task.cube, .tile = {.tile = task.tile, .pixels = {}, .bytes = {}}, .problem = {}};
         try {
             const StudyCube& cube = study_.cubes[task.cube];
-            const SpectralCube opened(cube.path, cube.unit);
+            const SpectralCube opened(reader_->files_of_cube(task.cube), cube.unit);
             const CubeRegion region(cube.region, opened);
             const std::shared_ptr<const PixelFitter> fitter = fitter_of(task.cube, opened);
             MapTile tile = fit_tile(*fitter, opened, region, task.tile.first_line, task.tile.lines);
@@ -53,36 +55,27 @@ public:
     }
 
 private:
-    /// The tasks of a file follow each other, so that the last few files are enough.
-    std::shared_ptr<const StudySpectra> spectra_of(std::size_t file) {
-        constexpr std::size_t most = 4;
-        const std::lock_guard lock(mutex_);
-        if (const auto found = files_.find(file); found != files_.end()) return found->second;
-        if (files_.size() >= most) files_.erase(files_.begin());
-        return files_[file] = std::make_shared<const StudySpectra>(read_study_file(study_.files[file]));
-    }
-
     std::shared_ptr<const PixelFitter> fitter_of(std::size_t cube, const SpectralCube& opened) {
         const std::lock_guard lock(mutex_);
         std::shared_ptr<const PixelFitter>& fitter = pixel_fitters_[cube];
         if (!fitter) {
-            fitter = std::make_shared<const PixelFitter>(configuration_of(study_), common_spectrum(opened), cache_);
+            fitter = std::make_shared<const PixelFitter>(study_.configuration, common_spectrum(opened), cache_);
         }
         return fitter;
     }
 
+    std::shared_ptr<StudyReader> reader_;
     const Study& study_;
     DiskCache cache_;
     SpectrumFitter fitter_;
     std::mutex mutex_;
-    std::map<std::size_t, std::shared_ptr<const StudySpectra>> files_;
     std::map<std::size_t, std::shared_ptr<const PixelFitter>> pixel_fitters_;
 };
 
 }  // namespace
 
-Worker study_worker(const Study& study, const DiskCache& cache) {
-    const auto workshop = std::make_shared<Workshop>(study, cache);
+Worker study_worker(std::shared_ptr<StudyReader> reader, const DiskCache& cache) {
+    const auto workshop = std::make_shared<Workshop>(std::move(reader), cache);
     return [workshop](const std::string& text) {
         const StudyTask task = task_in(text);
         if (const auto* const spectra = std::get_if<SpectraTask>(&task)) return bytes_of(workshop->fit(*spectra));

@@ -59,7 +59,8 @@ std::vector<FigureVariant> read_variants(const Json& json, const std::string& wh
         for (const Json& edition : read_list(json, "edition", where)) {
             const Json settings = {{"edition", edition}, {"parameters", {{"fibril_radius_nm", radius}}}};
             const Configuration read = configured(default_configuration(), settings, where);
-            variants.push_back({.edition = read.edition, .fibril_radius_nm = read.values.skin.fibril_radius_nm});
+            variants.push_back({.edition = read.edition.value_or(default_edition),
+                                .fibril_radius_nm = read.values.skin.fibril_radius_nm});
         }
     }
     return variants;

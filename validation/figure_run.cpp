@@ -36,8 +36,9 @@ SpectralCurve extinction_of(const std::string& pigment, const Configuration& con
     const auto row = std::ranges::find(pigment_table(), pigment, &PigmentRow::name);
     SpectralCurve curve{
         .name = pigment, .wavelength_nm = parse_wavelengths(configuration.wavelengths, "wavelengths"), .value = {}};
+    const Edition edition = make_experiment(configuration).edition;
     for (const double nm : curve.wavelength_nm) {
-        curve.value.push_back(Extinction::at(nm, configuration.edition).*row->extinction);
+        curve.value.push_back(Extinction::at(nm, edition).*row->extinction);
     }
     return curve;
 }

@@ -55,11 +55,11 @@ InverseStudy run_inverse_study(const Configuration& configuration, Engine simula
     }
     check_freedom(configuration, "free");
     const Spectrum spectrum = blank_spectrum(configuration);
-    const Configuration complete = resolved(configuration, spectrum);
+    const ResolvedConfiguration complete = resolved(configuration, spectrum);
     const FitProblem problem = make_problem(complete, spectrum);
     FitProblem simulated = problem;
     ++simulated.only().walk.seed;
-    design.noise = complete.noise.value();
+    design.noise = complete.noise;
     design.seed = complete.seed;
     design.starts = complete.starts;
     design.thorough_starts = 4 * complete.starts;

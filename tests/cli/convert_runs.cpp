@@ -55,11 +55,11 @@ TEST_F(ConvertRuns, FitReadsEveryForm) {
     EXPECT_EQ(run({"fit", "rows.csv", "--column", "450", "--reader", "columns"}).exit_code, 2);
 }
 
-TEST_F(ConvertRuns, WhatIsNoOrdinaryFileIsRefusedAtOnce) {
+TEST_F(ConvertRuns, WhatCannotBeReadIsRefused) {
     ASSERT_EQ(::mkfifo((folder() / "pipe.csv").c_str(), 0600), 0);
     std::filesystem::create_symlink("loop.csv", folder() / "loop.csv");
     put("book.csv", "PK\x03\x04 and so on");
-    for (const auto& [name, words] : {std::pair{"pipe.csv", "is a pipe or a device"},
+    for (const auto& [name, words] : {std::pair{"pipe.csv", "is a pipe into which nobody writes"},
                                       {"loop.csv", "Too many levels of symbolic links"},
                                       {"book.csv", "is a zip archive"},
                                       {".", "is a folder"}}) {

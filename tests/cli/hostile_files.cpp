@@ -36,9 +36,10 @@ constexpr std::uintmax_t two_gigabytes = 2'000'000'000;
 
 TEST_F(HostileFiles, ThatAreNoOrdinaryFiles) {
     ASSERT_EQ(::mkfifo((folder() / "pipe.csv").c_str(), 0600), 0);
-    expect_message(
-        "pipe.csv",
-        "pipe.csv: is a pipe or a device (an ordinary file is needed here); write its content to a file first");
+    expect_message("pipe.csv",
+                   "pipe.csv: is a pipe into which nobody writes (5 s have been waited for it); start the program that "
+                   "writes into "
+                   "it first, or name a file");
     std::filesystem::create_directory(folder() / "folder.csv");
     expect_message("folder.csv", "folder.csv: is a folder (a file is needed here); name a file inside it");
     std::filesystem::create_symlink("loop.csv", folder() / "loop.csv");

@@ -1,14 +1,17 @@
 #include "core/file.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <string>
+#include <thread>
 
 #include "core/file_replacement.hpp"
 #include "core/input_error.hpp"
@@ -151,6 +154,54 @@ TEST_F(FileTest, ReadsOrdinaryFilesOnly) {
     std::filesystem::create_symlink("loop", in_folder("loop"));
     EXPECT_NE(refusal_of([&] { (void)read_file(in_folder("loop")); }).find("(Too many levels of symbolic links)"),
               std::string::npos);
+}
+
+TEST_F(FileTest, ReadsWhatComesThroughAPipe) {
+    const std::string text(300'000, 'x');
+    const std::filesystem::path pipe = in_folder("pipe");
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    const auto write_later = [&](std::chrono::milliseconds delay, const std::string& bytes) {
+        return std::jthread([=, path = pipe.string()] {
+            const int descriptor = ::open(path.c_str(), O_WRONLY);
+            std::this_thread::sleep_for(delay);
+            std::size_t written = 0;
+            while (written < bytes.size()) {
+                const ssize_t count = ::write(descriptor, bytes.data() + written, bytes.size() - written);
+                if (count <= 0) break;
+                written += static_cast<std::size_t>(count);
+            }
+            ::close(descriptor);
+        });
+    };
+    {
+        const std::jthread writer = write_later(std::chrono::milliseconds(0), text);
+        EXPECT_EQ(read_input(pipe), text);
+    }
+    {
+        const std::jthread writer = write_later(std::chrono::milliseconds(6000), text);
+        EXPECT_EQ(read_input(pipe), text) << "its writer is there, and slow";
+    }
+    {
+        const std::jthread writer = write_later(std::chrono::milliseconds(0), "");
+        EXPECT_EQ(read_input(pipe), "");
+    }
+    EXPECT_NE(refusal_of([&] { (void)read_input(pipe); }).find("is a pipe into which nobody writes (5 s have been"),
+              std::string::npos);
+    EXPECT_NE(refusal_of([&] { (void)read_input("/dev/zero"); }).find("is a pipe or a device"), std::string::npos);
+    EXPECT_NE(refusal_of([&] { (void)read_input(in_folder("")); }).find("is a folder"), std::string::npos);
+}
+
+TEST_F(FileTest, ReadsOnAsLongAsItIsAskedTo) {
+    write_file_atomically(in_folder("a"), std::string(1 << 20, 'x'));
+    std::size_t asked = 0;
+    const std::string beginning = read_input(in_folder("a"), [&](std::string_view so_far) {
+        asked = so_far.size();
+        return so_far.size() < 100'000;
+    });
+    EXPECT_EQ(beginning.size(), asked);
+    EXPECT_GE(asked, 100'000U);
+    EXPECT_LT(asked, 400'000U);
+    EXPECT_EQ(read_input(in_folder("a"), [](std::string_view) { return true; }), std::string(1 << 20, 'x'));
 }
 
 TEST_F(FileTest, RefusesFilesAboveItsLimitWithoutReadingThem) {

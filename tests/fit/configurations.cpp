@@ -43,7 +43,7 @@ Configuration unusual() {
     c.base = Base{.kind = Base::Kind::index, .refractive_index = 1.45};
     c.incidence_deg = 45.5;
     c.specular = Specular::excluded;
-    c.instrument = "nist_sphere";
+    c.instrument = find_instrument("nist_sphere", "instrument");
     c.bandpass_shape = BandpassShape::rectangular;
     c.bandpass_width_nm = 3.5;
     c.quantity = Quantity::transmittance;
@@ -92,7 +92,8 @@ TEST(ConfigurationJson, RoundTripKeepsEveryField) {
     EXPECT_EQ(after.base, before.base);
     EXPECT_EQ(after.incidence_deg, before.incidence_deg);
     EXPECT_EQ(after.specular, before.specular);
-    EXPECT_EQ(after.instrument, before.instrument);
+    ASSERT_TRUE(after.instrument);
+    EXPECT_EQ(after.instrument->name, before.instrument->name);
     EXPECT_EQ(after.bandpass_shape, before.bandpass_shape);
     EXPECT_EQ(after.bandpass_width_nm, before.bandpass_width_nm);
     EXPECT_EQ(after.quantity, before.quantity);

@@ -50,7 +50,7 @@ FitResult all_fixed() {
                               .source = "forearm.csv",
                               .unit_rule = "percent: most values exceed 1.5",
                               .sigma_source = "0.006 at every wavelength (default)",
-                              .configuration = result.configuration,
+                              .configuration = resolved(result.configuration),
                               .rmse = 0.00512,
                               .chi2 = 30.25,
                               .wavelength_nm = {400, 550, 700},

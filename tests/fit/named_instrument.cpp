@@ -41,11 +41,11 @@ TEST(NamedInstruments, FillInWhatIsNotSet) {
     configuration = configured_by_assignment(configuration, "specular=excluded");
     Spectrum spectrum;
     spectrum.geometry.incidence_deg = 45;
-    const Configuration complete = resolved(configuration, spectrum);
+    const ResolvedConfiguration complete = resolved(configuration, spectrum);
     EXPECT_EQ(complete.incidence_deg, 8.0) << "what is set counts before what the file states";
     EXPECT_EQ(complete.specular, Specular::excluded);
-    EXPECT_EQ(complete.bandpass_shape, BandpassShape::triangular);
-    EXPECT_EQ(complete.bandpass_width_nm, 10.0);
+    EXPECT_EQ(complete.bandpass.shape, BandpassShape::triangular);
+    EXPECT_EQ(complete.bandpass.width_nm, 10.0);
 }
 
 TEST_F(InstrumentFile, HasTheNoiseWhereNoneIsSet) {
@@ -53,7 +53,8 @@ TEST_F(InstrumentFile, HasTheNoiseWhereNoneIsSet) {
     text = with(text, R"("sources": {})", R"("sources": {"noise": "a test"})");
     write_file_atomically(in_folder("i.json"), text);
     Configuration configuration = default_configuration();
-    configuration.instrument = in_folder("i.json").string();
+    configuration.instrument = find_instrument(in_folder("i.json").string(), "instrument");
+    write_file_atomically(in_folder("i.json"), "edited meanwhile");
     EXPECT_EQ(resolved(configuration, Spectrum{}).noise, 0.02);
     configuration.noise = default_noise;
     EXPECT_EQ(resolved(configuration, Spectrum{}).noise, default_noise) << "what is set counts, whatever it is";
@@ -65,13 +66,13 @@ TEST(NamedInstruments, OfAFileCountAfterWhatTheFileStates) {
     spectrum.instrument = "konica_minolta_cm_2600d";
     spectrum.geometry.specular = Specular::excluded;
     spectrum.bandpass = {.shape = BandpassShape::gaussian, .width_nm = 4};
-    const Configuration complete = resolved(default_configuration(), spectrum);
+    const ResolvedConfiguration complete = resolved(default_configuration(), spectrum);
     EXPECT_EQ(complete.instrument, "konica_minolta_cm_2600d");
     EXPECT_EQ(complete.specular, Specular::excluded);
-    EXPECT_EQ(complete.bandpass_width_nm, 4.0);
+    EXPECT_EQ(complete.bandpass.width_nm, 4.0);
     EXPECT_EQ(complete.incidence_deg, 8.0);
     spectrum.instrument = "some other device";
-    EXPECT_EQ(resolved(default_configuration(), spectrum).instrument, std::nullopt);
+    EXPECT_EQ(resolved(default_configuration(), spectrum).instrument, "");
 }
 
 TEST(NamedInstruments, AreRefusedWithoutASourceOrWithUnknownKeys) {

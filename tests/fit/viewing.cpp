@@ -18,12 +18,12 @@ Configuration cone_configuration() {
     Configuration configuration = default_configuration();
     configuration.engine = Engine::solver;
     configuration.viewing_cone_deg = 5;
-    return resolved(configuration, Spectrum{});
+    return as_stated(resolved(configuration));
 }
 
 TEST(ViewingCone, DefaultsToTheGeometryOf45_0) {
     const Configuration configuration = cone_configuration();
-    EXPECT_NO_THROW(check_viewing_cone(configuration));
+    EXPECT_NO_THROW(check_viewing_cone(resolved(configuration)));
     EXPECT_EQ(configuration.incidence_deg, 45.0);
     EXPECT_EQ(configuration.specular, Specular::excluded);
     const Experiment experiment = make_experiment(configuration);
@@ -56,9 +56,10 @@ TEST(ViewingCone, IsRefusedWhereItMeansNothing) {
         with([](Configuration& c) { c.values.instrument.specular_fraction = 0.1; }),
         with([](Configuration& c) { c.free[static_cast<std::size_t>(Parameter::specular_fraction)] = true; }),
     };
-    for (const Configuration& configuration : bad) EXPECT_THROW(check_viewing_cone(configuration), InputError);
-    EXPECT_NO_THROW(check_viewing_cone(with([](Configuration& c) { c.engine = Engine::walk; })));
-    EXPECT_NO_THROW(check_viewing_cone(default_configuration()));
+    for (const Configuration& configuration : bad)
+        EXPECT_THROW(check_viewing_cone(resolved(configuration)), InputError);
+    EXPECT_NO_THROW(check_viewing_cone(resolved(with([](Configuration& c) { c.engine = Engine::walk; }))));
+    EXPECT_NO_THROW(check_viewing_cone(resolved(default_configuration())));
 }
 
 TEST(ViewingCone, SurfaceParametersHaveNoEffect) {

@@ -37,7 +37,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     write(folder.path / "a.hdr", bytes.substr(0, end));
     write(folder.path / "a.dat", end == std::string_view::npos ? "" : bytes.substr(end + 1));
     try {
-        const std::vector<skinfit::Spectrum> spectra = skinfit::read_envi(folder.path / "a.hdr");
+        const std::vector<skinfit::Spectrum> spectra =
+            skinfit::read_envi(skinfit::find_envi_files(folder.path / "a.hdr"));
         if (spectra.empty()) std::abort();
         for (const skinfit::Spectrum& spectrum : spectra) {
             if (spectrum.value.empty() || spectrum.value.size() != spectrum.wavelength_nm.size()) std::abort();

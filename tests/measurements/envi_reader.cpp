@@ -17,7 +17,7 @@ class EnviReader : public test::TemporaryFolder {
 protected:
     [[nodiscard]] Spectrum written(const MadeCube& cube, const ReadOptions& options = {}) const {
         test::write_cube(in_folder("arm.hdr"), cube);
-        return read_envi(in_folder("arm.hdr"), options).front();
+        return read_envi(find_envi_files(in_folder("arm.hdr")), options).front();
     }
 };
 

@@ -22,7 +22,7 @@ class EnviStatements : public test::TemporaryFolder {
 protected:
     [[nodiscard]] Spectrum read(const std::string& more, int data_type = 12, const ReadOptions& options = {}) const {
         write(more, data_type);
-        return read_envi(in_folder("a.hdr"), options).front();
+        return read_envi(find_envi_files(in_folder("a.hdr")), options).front();
     }
     [[nodiscard]] std::string refusal(const std::string& more, int data_type = 4,
                                       const ReadOptions& options = {}) const {
@@ -161,7 +161,7 @@ TEST_F(EnviStatements, PixelsAndBandsWithoutAMeasurementAreLeftOutAndCounted) {
                                               .data_type = 4,
                                               .more = nm + more,
                                               .given = numbers});
-        return read_envi(in_folder("a.hdr")).front();
+        return read_envi(find_envi_files(in_folder("a.hdr"))).front();
     };
     const Numbers good{0.1, 0.2, 0.3, 0.3, 0.4, 0.5};
     const auto with = [&good](Numbers more) {
@@ -180,7 +180,7 @@ TEST_F(EnviStatements, PixelsAndBandsWithoutAMeasurementAreLeftOutAndCounted) {
     // No surface reflects nothing: a band of zeros was not measured.
     const Spectrum dead = made({0.1, 0, 0.3, 0.3, 0, 0.5, 0.2, 0, 0.4, 0.4, 0, 0.6}, "");
     EXPECT_EQ(dead.wavelength_nm, (Numbers{400, 600}));
-    EXPECT_EQ(dead.missing, 1U);
+    EXPECT_EQ(dead.missing_nm.size(), 1U);
     EXPECT_EQ(dead.sigma.size(), 2U);
     EXPECT_FALSE(remarks_of(made(with(good), "bbl = {1, 1, 1}\n")).size() > 0);
 }
@@ -199,8 +199,9 @@ TEST_F(EnviStatements, WhatIsNotUnderstoodIsARemark) {
 TEST_F(EnviStatements, DataOfOtherSizesAndFormsAreSaid) {
     write(nm + "reflectance scale factor = 50\n");
     test::write_text(in_folder("a.dat"), std::string("\x1f\x8b", 2) + std::string(10, 'x'));
-    EXPECT_NE(test::refusal_of([&] { (void)read_envi(in_folder("a.hdr")); }).find("is compressed by gzip"),
-              std::string::npos);
+    EXPECT_NE(
+        test::refusal_of([&] { (void)read_envi(find_envi_files(in_folder("a.hdr"))); }).find("is compressed by gzip"),
+        std::string::npos);
     for (const std::string type : {"TIFF", "ENVI Virtual Mosaic", "HDF Scientific Data", "NITF"}) {
         EXPECT_NE(test::refusal_of([&] {
                       (void)parse_envi_header(
@@ -217,8 +218,9 @@ TEST_F(EnviStatements, DataOfOtherSizesAndFormsAreSaid) {
                      "file type = ENVI Classification\n" +
                          nm);
     test::write_text(in_folder("c.dat"), "123");
-    EXPECT_NE(test::refusal_of([&] { (void)read_envi(in_folder("c.hdr")); }).find("holds a classification"),
-              std::string::npos);
+    EXPECT_NE(
+        test::refusal_of([&] { (void)read_envi(find_envi_files(in_folder("c.hdr"))); }).find("holds a classification"),
+        std::string::npos);
 }
 
 TEST_F(EnviStatements, ALibraryKeepsItsNamesScalesAndGaps) {
@@ -233,7 +235,7 @@ TEST_F(EnviStatements, ALibraryKeepsItsNamesScalesAndGaps) {
     EXPECT_EQ(spectra[0].geometry.specular, Specular::included);
     EXPECT_NEAR(spectra[0].value[0], 0.1, 1e-7);
     EXPECT_EQ(spectra[1].wavelength_nm, (Numbers{400, 600}));
-    EXPECT_EQ(spectra[1].missing, 1U);
+    EXPECT_EQ(spectra[1].missing_nm.size(), 1U);
     EXPECT_EQ(remarks_of(spectra[0]), "- 1 of 3 spectra of the file are without numbers and are left out\n");
     EXPECT_EQ(read_spectrum(in_folder("skin.hdr"), {.column = "two"}).name, "two");
     EXPECT_NE(test::refusal_of([&] { (void)read_spectrum(in_folder("skin.hdr")); }).find("has 2 spectra"),

@@ -207,7 +207,7 @@ TEST(QtxStatements, PointsViewingAndMissingReadingsAreHeeded) {
         only(qtx("STD_R= 10.0, 25.0, ,\r\nSTD_VIEWING=Specular Excluded\r\n") + "[BATCH_DATA 0]\n");
     EXPECT_EQ(spectrum.wavelength_nm, (Numbers{400, 410}));
     EXPECT_EQ(spectrum.value, (Numbers{0.1, 0.25}));
-    EXPECT_EQ(spectrum.missing, 1U);
+    EXPECT_EQ(spectrum.missing_nm.size(), 1U);
     EXPECT_EQ(spectrum.geometry.specular, Specular::excluded);
     EXPECT_TRUE(contains_text(refusal(qtx("STD_R=1,2\n")), "f:6: holds 2 readings (REFLPOINTS promises 3)"));
     EXPECT_TRUE(contains_text(refusal(qtx("STD_R=1,x,2\n")), "holds \"x\" among its readings"));

@@ -152,7 +152,7 @@ TEST_F(SharedSpectra, IssaHoldsTenSpectraInPercentWithoutTheirLastFourBands) {
         const Spectrum& spectrum = file.spectra[k];
         const std::vector<std::string>& cells = *(begin + 1 + static_cast<std::ptrdiff_t>(k));
         EXPECT_EQ(spectrum.name, cells[0]);
-        EXPECT_EQ(spectrum.missing, 4U);
+        EXPECT_EQ(spectrum.missing_nm.size(), 4U);
         ASSERT_EQ(spectrum.value.size(), 39U);
         for (std::size_t i = 0; i < 39; ++i) {
             ASSERT_EQ(spectrum.wavelength_nm[i], 360.0 + 10.0 * static_cast<double>(i));

@@ -110,10 +110,10 @@ TEST(QualityFindings, NameASpectrumThatIsDarkEverywhere) {
 
 TEST(QualityFindings, CountMissingValues) {
     Spectrum spectrum = made(skin);
-    spectrum.missing = 4;
+    spectrum.missing_nm = {405, 415, 425, 435};
     EXPECT_EQ(missing_values(spectrum).value().message, "4 of 39 wavelengths have no value");
     EXPECT_EQ(missing_values(spectrum).value().severity, Severity::warning);
-    spectrum.missing = 3;
+    spectrum.missing_nm.pop_back();
     EXPECT_EQ(missing_values(spectrum).value().severity, Severity::note);
 }
 

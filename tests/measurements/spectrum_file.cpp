@@ -23,14 +23,14 @@ TEST(SpectrumFile, HoldsEveryColumnOfValuesWithItsOwnUncertainty) {
     EXPECT_EQ(left.value, (Numbers{0.1, 0.2}));
     EXPECT_EQ(left.sigma, (Numbers{0.01, 0.02}));
     EXPECT_EQ(left.sigma_source, "given by the file");
-    EXPECT_EQ(left.missing, 0U);
+    EXPECT_EQ(left.missing_nm.size(), 0U);
     EXPECT_EQ(left.line, 3U);
     const Spectrum& right = file.spectra[1];
     EXPECT_EQ(right.name, "right");
     EXPECT_EQ(right.wavelength_nm, Numbers{400});
     EXPECT_EQ(right.value, Numbers{0.3});
     EXPECT_TRUE(right.sigma.empty());
-    EXPECT_EQ(right.missing, 1U);
+    EXPECT_EQ(right.missing_nm.size(), 1U);
 }
 
 TEST(SpectrumFile, HoldsValuesThatNoSpectrumHas) {

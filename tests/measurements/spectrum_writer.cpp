@@ -53,7 +53,7 @@ void expect_same(const Spectrum& a, const Spectrum& b) {
         EXPECT_EQ(a.bandpass->shape, b.bandpass->shape);
         EXPECT_EQ(a.bandpass->width_nm, b.bandpass->width_nm);
     }
-    EXPECT_EQ(a.missing, b.missing);
+    EXPECT_EQ(a.missing_nm, b.missing_nm);
     ASSERT_EQ(a.notes.size(), b.notes.size());
     for (std::size_t i = 0; i < a.notes.size(); ++i) {
         EXPECT_EQ(a.notes[i].key, b.notes[i].key);
@@ -90,10 +90,10 @@ TEST(SpectrumWriter, SeveralReadBackToTheLastBit) {
 TEST(SpectrumWriter, MissingValuesAreEmptyCells) {
     std::mt19937_64 random(3);
     std::vector<Spectrum> several{complete("a", random), complete("b", random)};
+    several[0].missing_nm = {several[0].wavelength_nm[7]};
     for (Numbers* numbers : {&several[0].wavelength_nm, &several[0].value, &several[0].sigma}) {
         numbers->erase(numbers->begin() + 7);
     }
-    several[0].missing = 1;
     expect_round_trip(several, spectra_csv(several, "f"));
     expect_round_trip(several, spectra_json(several));
 }

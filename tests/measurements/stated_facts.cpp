@@ -157,11 +157,11 @@ TEST(StatedUncertainty, IsThatOfTheColumnItNames) {
 
 TEST(FilledValues, AreMissingInTheSpellingOfOldWindows) {
     const Spectrum percent = only("windows_nan/percent.csv");
-    EXPECT_EQ(percent.missing, 2U);
+    EXPECT_EQ(percent.missing_nm.size(), 2U);
     EXPECT_EQ(value_at(percent, 400), -1);
     EXPECT_DOUBLE_EQ(value_at(percent, 420), 0.0896);
     const Spectrum fraction = only("windows_nan/fraction.csv");
-    EXPECT_EQ(fraction.missing, 2U);
+    EXPECT_EQ(fraction.missing_nm.size(), 2U);
     EXPECT_EQ(value_at(fraction, 500), -1);
     EXPECT_EQ(value_at(fraction, 360), -1);
 }

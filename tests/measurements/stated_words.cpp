@@ -158,11 +158,11 @@ TEST(StatedWords, OfMissingValuesInEverySpelling) {
           "-",       "--",      "-9999",  "-999",      "-999.0", "1e34",    "-1.23e34", "9.96921e36", "inf", "n/a"}) {
         const Spectrum comma = read("nm,R\n400,0.1\n410," + cell + "\n420,0.3\n").front();
         EXPECT_EQ(comma.value, (Numbers{0.1, 0.3})) << cell;
-        EXPECT_EQ(comma.missing, 1U) << cell;
-        EXPECT_EQ(read("nm R\n400 0.1\n410 " + cell + "\n420 0.3\n").front().missing, 1U) << cell;
-        EXPECT_EQ(read("id,400,410,420\nx,0.1," + cell + ",0.3\n").front().missing, 1U) << cell;
+        EXPECT_EQ(comma.missing_nm.size(), 1U) << cell;
+        EXPECT_EQ(read("nm R\n400 0.1\n410 " + cell + "\n420 0.3\n").front().missing_nm.size(), 1U) << cell;
+        EXPECT_EQ(read("id,400,410,420\nx,0.1," + cell + ",0.3\n").front().missing_nm.size(), 1U) << cell;
     }
-    EXPECT_EQ(read(R"({"start": 400, "step": 10, "values": [0.1, -9999, 0.3]})").front().missing, 1U);
+    EXPECT_EQ(read(R"({"start": 400, "step": 10, "values": [0.1, -9999, 0.3]})").front().missing_nm.size(), 1U);
 }
 
 TEST(StatedWords, OfScalesAreAppliedOrRefused) {

@@ -77,7 +77,7 @@ TEST(TextReader, LeavesOutAndCountsMissingValues) {
     EXPECT_EQ(spectrum.wavelength_nm, (Numbers{400, 440}));
     EXPECT_EQ(spectrum.value, (Numbers{0.4, 0.5}));
     EXPECT_EQ(spectrum.sigma, (Numbers{0.04, 0.05}));
-    EXPECT_EQ(spectrum.missing, 3U);
+    EXPECT_EQ(spectrum.missing_nm.size(), 3U);
 }
 
 TEST(TextReader, TurnsPercentIntoFractions) {

@@ -62,7 +62,7 @@ TEST(TextReaderRefuses, MissingAndInfiniteNumbers) {
     expect_refusal({"nm,R\n400,1e999\n", "a.csv:2", "\"1e999\" as R"});
     expect_refusal({"nm,R\n,0.5\n", "a.csv:2", "nm is empty"});
     expect_refusal({",0.5\n500,0.5\n", "a.csv:1", "the wavelength is empty"});
-    expect_refusal({"nm,R,sigma\n400,0.5,\n410,0.5,1\n", "a.csv:2", "sigma is empty"});
+    expect_refusal({"nm,R,sigma\n400,0.5,\n410,0.5,1\n", "a.csv:2", "sigma has no number at 400 nm"});
 }
 
 TEST(TextReaderRefuses, LinesOfOtherLengths) {

@@ -46,7 +46,7 @@ TEST(InputHash, ChangesWithEverythingThatAFitReads) {
                                          [](Spectrum& s) { s.repeats.clear(); },
                                          [](Spectrum& s) { s.unit_rule = "percent: stated"; },
                                          [](Spectrum& s) { s.sigma_source = "repeats"; },
-                                         [](Spectrum& s) { s.missing = 1; }};
+                                         [](Spectrum& s) { s.missing_nm = {405}; }};
     std::map<std::string, std::size_t> hashes = {{input_hash_of(example()), changes.size()}};
     for (std::size_t i = 0; i < changes.size(); ++i) {
         Spectrum changed = example();

@@ -73,7 +73,7 @@ void expect_result(const StudiedSpectrum& studied, const FitResult& result) {
 TEST(SpectrumFitter, IsTheFitOfOneSpectrumToTheBit) {
     const Spectrum spectrum = shipped();
     const Study study = plain_study();
-    const Configuration configuration = configuration_of(study, spectrum);
+    const Configuration& configuration = study.configuration;
     const std::vector<Finding> findings = findings_before_fit(configuration, {&spectrum, 1});
     const FitResult result = fit_spectrum(configuration, spectrum, {.cache = no_cache(), .findings = findings});
     const StudiedSpectrum studied = fitter().fit(spectrum);

@@ -63,8 +63,8 @@ TEST_F(StudyFiles, HoldsWhatItsFileSays) {
     EXPECT_EQ(study.files[1].metadata, (Metadata{{"site", "arm"}, {"age", "3"}}));
     EXPECT_EQ(study.files[1].names->fields, (Names{"subject", "visit"}));
     EXPECT_EQ(study.instrument, "ncsu_45_0");
-    EXPECT_EQ(configuration_of(study).noise, 0.004);
-    EXPECT_EQ(configuration_of(study).engine, Engine::emulator);
+    EXPECT_EQ(study.configuration.noise, 0.004);
+    EXPECT_EQ(study.configuration.engine, Engine::emulator);
     EXPECT_EQ(study.accept, Names{"spikes"});
     EXPECT_EQ(study.group_by, (Names{"site", "visit"}));
     EXPECT_EQ(study.repeats_of, "subject");
@@ -150,7 +150,7 @@ TEST_F(StudyFiles, CubesHaveRegions) {
 
 TEST_F(StudyFiles, SettingsMayBeAFileOfTheirOwn) {
     write_file_atomically(in_folder("fit.json"), "{\"noise\": 0.007}");
-    EXPECT_EQ(configuration_of(parsed(R"({"inputs": ["a.csv"], "fit": "fit.json", "output": "out"})")).noise, 0.007);
+    EXPECT_EQ(parsed(R"({"inputs": ["a.csv"], "fit": "fit.json", "output": "out"})").configuration.noise, 0.007);
 }
 
 TEST_F(StudyFiles, EveryCheckOfQualityMayBeAccepted) {
