@@ -55,6 +55,7 @@ TEST_P(EveryEmulator, StaysWithinItsCertifiedErrorOfTheSolver) {
         const Emulator emulator = Emulator::build(domain);
         const AngularSolver solver(sample, {.incidence_rad = domain.incidence_rad});
         EXPECT_EQ(emulator.surface_share(), solver.shares(500).surface.share);
+        double largest = 0.0;
         for (int number = 1; number <= 20; ++number) {
             const Skin skin = specimen(domain, number);
             const std::vector<EmulatedShare> shares = emulator.respond(depths(skin, sample.edition));
@@ -63,10 +64,11 @@ TEST_P(EveryEmulator, StaysWithinItsCertifiedErrorOfTheSolver) {
                 const AngularResponse response = exact.shares(wavelengths_nm[i]);
                 const double expected = side == Side::top ? response.reflected.share : response.transmitted.share;
                 EXPECT_NEAR(shares[i].share, expected, emulator.certified_error(i));
+                largest = std::max(largest, std::abs(shares[i].share - expected));
             }
         }
-        constexpr double promised = 2e-4;  // of the emulator and of the solver together
-        EXPECT_LE(emulator.certified_error(), promised);
+        constexpr double promised = 1e-4;  // of the series; the certificate holds the solver's own error too
+        EXPECT_LE(largest, promised);
     }
 }
 

@@ -118,8 +118,7 @@ TEST(ProfilePicture, NamesEveryParameterAndEveryLine) {
     FitResult result = test::profiled_result();
     const std::string picture = profile_picture(result);
     for (const FittedParameter& free : result.free) EXPECT_NE(picture.find(free.name), std::string::npos) << free.name;
-    for (const char* words :
-         {"profile", "95 % threshold", "95 % interval", "covariance", "out of bounds"}) {
+    for (const char* words : {"profile", "95 % threshold", "95 % interval", "covariance", "out of bounds"}) {
         EXPECT_NE(picture.find(words), std::string::npos) << words;
     }
     // Every curve tells: another one is another picture.
