@@ -147,7 +147,8 @@ std::optional<std::string> help_of_unfinished(const CLI::App& app) {
 }
 
 std::string help_of(const CLI::App& command) {
-    return command.help(command.get_parent() == nullptr ? "" : called(*command.get_parent()));
+    // CLI::App::help would explain the command that stands on the line instead.
+    return command.get_formatter()->make_help(&command, called(command), CLI::AppFormatMode::Normal);
 }
 
 }  // namespace skinfit

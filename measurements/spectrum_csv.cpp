@@ -8,6 +8,7 @@
 
 #include "core/csv.hpp"
 #include "core/input_error.hpp"
+#include "measurements/file_statements.hpp"
 #include "measurements/spectrum_file.hpp"
 #include "measurements/spectrum_writer.hpp"
 
@@ -44,7 +45,8 @@ std::string description(const Spectrum& spectrum) {
     return text;
 }
 
-/// The notes that all spectra have, and a line that says so where some have others.
+/// The notes that all spectra have, and a line that says so where some have others; without those of the source's units
+/// and scales: the table's own are nm and fractions.
 std::string notes(const std::vector<Spectrum>& spectra) {
     const auto same_note = [](const FileNote& a, const FileNote& b) { return a.key == b.key && a.value == b.value; };
     std::string text;
@@ -53,7 +55,7 @@ std::string notes(const std::vector<Spectrum>& spectra) {
         const bool common = std::ranges::all_of(spectra, [&](const Spectrum& spectrum) {
             return std::ranges::any_of(spectrum.notes, [&](const FileNote& other) { return same_note(note, other); });
         });
-        if (common) text += fmt::format("# {}: {}\n", note.key, note.value);
+        if (common && !is_statement_key(note.key)) text += fmt::format("# {}: {}\n", note.key, note.value);
         all_are_common = all_are_common && common;
     }
     for (const Spectrum& spectrum : spectra) {

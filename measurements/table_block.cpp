@@ -22,6 +22,7 @@ bool is_number(std::string_view cell) {
 struct Look {
     std::size_t width = 0;     ///< filled cells
     bool is_reading = false;   ///< a number first, and another number; between blanks nothing but numbers
+    bool is_empty = false;     ///< a number first, and empty cells
     bool has_numbers = false;  ///< behind its first cell
 };
 
@@ -30,6 +31,7 @@ Look look_at(const Row& row, char separator) {
     const std::span<const std::string_view> all = cutter.cut(row.text);
     Look look{.width = filled_width(all)};
     if (look.width == 0) return look;
+    look.is_empty = look.width == 1 && all.size() > 1 && is_number(all.front());
     const std::span<const std::string_view> others = all.subspan(1, look.width - 1);
     look.has_numbers = std::ranges::any_of(others, is_number);
     const bool first = is_number(all.front()) || all.front().empty();
@@ -63,7 +65,7 @@ std::size_t find_start(const std::vector<Row>& rows, char separator) {
             const Look look = look_at(rows[i], separator);
             if (is_words(rows[i], separator)) {
                 words_between = true;
-            } else if (look.width == here.width || (look.is_reading && !words_between)) {
+            } else if (look.width == here.width || ((look.is_reading || look.is_empty) && !words_between)) {
                 start = i;
             }
         }

@@ -18,6 +18,7 @@ struct WavelengthWindow {
     Range range{.lowest_nm = 0.0, .highest_nm = std::numeric_limits<double>::infinity()};
     std::vector<Range> excluded{};
 
+    /// True inside the range and outside all that is excluded, whose ends are excluded too.
     [[nodiscard]] bool contains(double wavelength_nm) const;
 };
 

@@ -35,11 +35,11 @@ void add_legendre(double x, double factor, int count, double* sums) {
 /// Adds to `sum`, for each function of the basis without its norm, `weight` times the mean over all azimuths at the
 /// cosine of a ray of cosine `x` deflected by `angle`; the functions are 0 in the other hemisphere.
 void add_azimuth_mean(double x, double angle, double weight, const PanelBasis& basis, Eigen::RowVectorXd& sum) {
-    // Cubic polynomials in the cosine of the azimuth: the short rules are exact to 1e-9 within 1 rad, to 5e-7 within
-    // 0.3.
+    // Cubic polynomials in the cosine of the azimuth, so of degree 6 and little more in the azimuth where that is
+    // short: 4 nodes are exact to degree 7.
     static const Quadrature fine = gauss_legendre(14);
     static const Quadrature middle = gauss_legendre(6);
-    static const Quadrature coarse = gauss_legendre(3);
+    static const Quadrature coarse = gauss_legendre(4);
     const double along = x * std::cos(angle);
     const double across = std::sqrt(std::max(0.0, 1.0 - x * x)) * std::sin(angle);
     const auto azimuth = [&](double cosine) { return std::acos(std::clamp((cosine - along) / across, -1.0, 1.0)); };

@@ -19,6 +19,7 @@ public:
     /// Refers to the study, which must outlive it.
     explicit StudyReader(const Study& study) : study_(study), window_(window_of(study.configuration)) {}
 
+    /// The study whose inputs these are.
     [[nodiscard]] const Study& study() const { return study_; }
 
     /// What a fit of the study uses.

@@ -52,7 +52,7 @@ protected:
         std::filesystem::create_directory(folder() / "inputs");
         std::filesystem::copy_file(specimen, folder() / "inputs/skin.csv");
         std::filesystem::copy_file(instrument, folder() / "inputs/instrument.json");
-        put("inputs/config.json", R"({"instrument": "inputs/instrument.json", "engine": "emulator", "starts": 2})");
+        put("inputs/config.json", R"({"instrument": "inputs/instrument.json", "engine": "solver", "starts": 2})");
         put("inputs/two.csv",
             "wavelength_nm,first,second\n400,0.2,0.21\n450,0.25,0.24\n500,0.3,0.31\n550,0.28,0.27\n"
             "600,0.4,0.42\n650,0.45,0.44\n700,0.5,0.48\n");
@@ -102,7 +102,7 @@ TEST_F(OneReading, ByAStudy) {
     put("inputs/manifest.csv", "file,spectrum,subject\nskin.csv,,a\n");
     put("inputs/study.json", R"({"inputs": ["spectra.csv", {"manifest": "manifest.csv"}], "fit": "config.json",
  "output": "../out"})");
-    put("inputs/config.json", R"({"instrument": "inputs/instrument.json", "starts": 2})");
+    put("inputs/config.json", R"({"instrument": "inputs/instrument.json", "engine": "solver", "starts": 2})");
     EXPECT_EQ(opens_of({"study", "run", "inputs/study.json", "--threads", "2"}), (Opens{{"study.json", 1},
                                                                                         {"manifest.csv", 1},
                                                                                         {"spectra.csv", 1},
@@ -171,7 +171,7 @@ TEST_F(OneReading, OfANamedPipeThatIsServedOnce) {
 TEST_F(OneReading, HoldsWhateverIsEditedMeanwhile) {
     const std::vector<std::string> fit = {"fit",   "inputs/skin.csv", "--config", "inputs/config.json", "--format",
                                           "json",  "--report",        "a.html",   "--uncertainty",      "profile",
-                                          "--set", "engine=emulator"};
+                                          "--set", "starts=1"};
     const Json before = Json::parse(run(fit).out);
     std::vector<std::string> words = {skinfit_program()};
     words.insert(words.end(), fit.begin(), fit.end());

@@ -110,7 +110,11 @@ TEST(Asking, AFileOfTooManySpectraIsRefusedAtTheStart) {
 TEST_F(Asked, ExportsRunAgain) {
     const Json stated = {{"edition", "printed"}, {"parameters", {{"melanosome_fraction", 0.1}}}};
     const Json found = post("/api/export", {{"configuration", stated}}).json;
-    EXPECT_EQ(simulate(found["configuration"]).json, simulate(stated).json);
+    Json again = simulate(found["configuration"]).json;
+    Json first = simulate(stated).json;
+    EXPECT_EQ(again["decided_by"]["layers"], "stated") << "an export states all that was decided";
+    EXPECT_EQ(again.erase("decided_by") + first.erase("decided_by"), 2U);
+    EXPECT_EQ(again, first);
     const Spectrum simulated =
         parse_spectrum(found["simulations"][0]["csv"].get<std::string>(), "simulation.csv", {.column = "reflectance"});
     const Json reading = simulate(stated).json["reading"];

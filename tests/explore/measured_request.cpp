@@ -19,7 +19,7 @@ using Drawing = test::Asking;
 const std::string specimen = SKINFIT_SOURCE_DIR "/measurements/data/ncsu_113.csv";
 
 /// The specimen with `head` before its comments about geometry, which are left out.
-std::string stating(const std::string& head, const std::string& left_out = "# incidence_deg# specular") {
+std::string stating(const std::string& head, const std::string& left_out = "# incidence_deg# specular# note") {
     std::string text = head;
     const std::string whole = read_file(specimen);
     for (const std::string_view line : split_lines(whole)) {
@@ -46,7 +46,7 @@ std::vector<std::string> all_kinds() {
             stating("# bandpass_shape: gaussian\n# bandpass_width_nm: 30\n"),
             stating("# edition: printed\n"),
             stating("# layers: 2\n# base: 1.33\n"),
-            stating("# quantity: transmittance\n# layers: 2\n", "# incidence_deg# specular# quantity")};
+            stating("# quantity: transmittance\n# layers: 2\n", "# incidence_deg# specular# note# quantity")};
 }
 
 TEST_F(Drawing, IsTheModelOfTheFitWhateverTheFileStates) {
@@ -91,8 +91,9 @@ TEST_F(Drawing, SaysWhoDecidesTheMeasurement) {
     const Json file =
         file_of(ask("POST", "/api/spectra", stating("# incidence_deg: 45\n# edition: printed\n"), "a.csv"));
     const auto decided = [&](const Json& configuration, const Json& measured) {
-        return post("/api/simulate", {{"configuration", configuration}, {"measured", measured}})
-            .json["models"][0]["decided_by"];
+        const Answer answer = post("/api/simulate", {{"configuration", configuration}, {"measured", measured}});
+        EXPECT_EQ(answer.status, 200) << answer.json;
+        return answer.status == 200 ? answer.json["models"][0]["decided_by"] : Json::object();
     };
     const Json by_file = decided(Json::object(), file["statements"]);
     EXPECT_EQ(by_file["incidence_deg"], "file");

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "fit/configuration_json.hpp"
 #include "study/answers.hpp"
 #include "study/calibration.hpp"
 #include "study/planned_study.hpp"
@@ -51,6 +52,7 @@ Outcome studied(const std::string& uncertainty, std::size_t subjects) {
     study.file = "study.json";
     study.fit = study_json(cohort)["fit"];
     study.fit["uncertainty"] = uncertainty;
+    study.configuration = configured(default_study_configuration(), study.fit, "study.json: fit");
     study.indicators = {
         {.name = "jaundice", .quantity = "bilirubin_g_per_l", .threshold = 0.2, .reference = {}, .source = "chosen"}};
     SpectrumFitter fitter(study, without_cache());

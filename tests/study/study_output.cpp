@@ -100,7 +100,7 @@ TEST(StudyCsv, HoldsNumbersToTheLastBit) {
     EXPECT_EQ(cell(table, 2, "p_value"), "");
     EXPECT_EQ(cell(table, 2, "input_hash"), "input");
     EXPECT_EQ(cell(table, 3, "status"), "failed");
-    EXPECT_EQ(cell(table, 3, "reason"), "a.csv: cannot be read (x); y");
+    EXPECT_EQ(cell(table, 3, "reason"), R"(a.csv: cannot\nbe read (x); y)");
     EXPECT_EQ(cell(table, 3, "oxygen_saturation"), "");
     EXPECT_EQ(cell(table, 3, "p_low"), "");
 }
@@ -185,7 +185,9 @@ TEST_F(StudyJson, HoldsAnswersAndDefinitions) {
     Ledger ledger(in_folder("ledger.sqlite"), Ledger::Access::write);
     (void)ledger.take(test::example_roster(2), "settings");
     ledger.store(test::example_answers(test::example_roster(1)));
-    ledger.set_note("configuration", "{\"noise\": 0.004}");
+    ledger.set_note(
+        "configuration",
+        R"({"edition": "revised", "engine": "emulator", "uncertainty": "covariance", "noise": 0.004, "seed": 1})");
     ledger.set_note("version", "1.2.3");
     const Json json = results_json(asking(), ledger, answered(asking(), ledger.rows()));
     EXPECT_EQ(json["study"], "example");
