@@ -85,7 +85,7 @@ Finding as_note(Finding finding, const WavelengthWindow& window) {
     if (finding.severity == Severity::note) return finding;
     finding.severity = Severity::note;
     const std::string fit = fmt::format("a fit from {:g} to {:g} nm", window.range.lowest_nm, window.range.highest_nm);
-    finding.message += fmt::format("; {} does not use these readings", fit);
+    finding.message += fmt::format("; {} does not see it in the readings that it uses", fit);
     finding.remedy = fmt::format("none is needed for {}; for another window: {}", fit, finding.remedy);
     return finding;
 }
@@ -105,10 +105,15 @@ std::vector<Finding> findings_in(std::span<const Spectrum> spectra) {
     }
     std::vector<Finding> findings = quality_findings(used, tables());
     for (Finding& finding : quality_findings(spectra, tables())) {
-        const bool is_known = std::ranges::any_of(findings, [&](const Finding& each) {
+        const auto known = std::ranges::find_if(findings, [&](const Finding& each) {
             return each.name == finding.name && each.spectrum == finding.spectrum;
         });
-        if (!is_known) findings.push_back(as_note(std::move(finding), window));
+        if (known == findings.end()) {
+            findings.push_back(as_note(std::move(finding), window));
+        } else if (known->name == "missing_values" && known->message != finding.message) {
+            known->message = fmt::format("{}; from {:g} to {:g} nm {}", finding.message, window.range.lowest_nm,
+                                         window.range.highest_nm, known->message);
+        }
     }
     return findings;
 }

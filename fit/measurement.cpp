@@ -8,6 +8,7 @@
 
 #include "core/input_error.hpp"
 #include "fit/viewing.hpp"
+#include "fit/wavelength_sets.hpp"
 #include "measurements/text_reader.hpp"
 #include "measurements/wavelength_window.hpp"
 #include "model/constants.hpp"
@@ -42,6 +43,14 @@ void take_data(Measurement& measurement, const ResolvedConfiguration& configurat
                           .problem = excluded ? "leaves no wavelength of the window" : "leave no wavelength",
                           .why = excluded ? "there is nothing to fit" : "the file has none between them",
                           .remedy = excluded ? "exclude less, or widen the window" : "widen the window"});
+    }
+    if (measurement.wavelength_nm.size() > most_wavelengths) {
+        throw InputError(
+            {.where = spectrum.source,
+             .problem = fmt::format("holds {} wavelengths between {:g} and {:g} nm", measurement.wavelength_nm.size(),
+                                    configuration.wavelength_min_nm, configuration.wavelength_max_nm),
+             .why = fmt::format("at most {} are fitted", most_wavelengths),
+             .remedy = "average neighbours, or narrow the window"});
     }
     const bool constant =
         std::ranges::adjacent_find(measurement.measured, std::not_equal_to<>{}) == measurement.measured.end();

@@ -1,5 +1,6 @@
 #include "fit/minimum.hpp"
 
+#include <fmt/format.h>
 #include <Eigen/Cholesky>
 
 namespace skinfit {
@@ -35,7 +36,11 @@ void judge(const Objective& objective, Minimum& minimum) {
     const Misfit misfit = objective.misfit(minimum.values);
     minimum.cost = misfit.cost();
     minimum.chi2 = objective.minimises_chi2() ? minimum.cost : objective.chi2(minimum.values);
-    minimum.converged = expected_gain(objective.problem(), misfit, minimum.values) < negligible_gain;
+    const double gain = expected_gain(objective.problem(), misfit, minimum.values);
+    minimum.converged = gain < negligible_gain;
+    if (!minimum.converged) {
+        minimum.termination += fmt::format(", but one more step promises to lower the cost by {:.2g}", gain);
+    }
 }
 
 Minimum concluded(const Objective& objective, std::span<const double> positions, int evaluations,

@@ -15,14 +15,14 @@ namespace {
 
 std::string parameter_row(const FittedParameter& fitted) {
     const ParameterWords words = parameter_words(fitted);
-    return fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}{}\n", fitted.name, words.value, words.sigma,
+    return fmt::format("  {:<33} {:>12} {:>11} {:>11}   {:<22}{}{}\n", fitted.name, words.value, words.sigma,
                        words.monte_carlo, words.interval_95, words.unit,
                        words.remark.empty() ? "" : "  " + words.remark);
 }
 
 std::string parameter_table_text(const FitResult& result) {
-    std::string text = fmt::format("  {:<34}{:>12}{:>12}{:>12}   {:<22}{}\n", "free parameter", "value", "+/- 1 sigma",
-                                   "Monte Carlo", "95 % interval", "unit");
+    std::string text = fmt::format("  {:<33} {:>12} {:>11} {:>11}   {:<22}{}\n", "free parameter", "value",
+                                   "+/- 1 sigma", "Monte Carlo", "95 % interval", "unit");
     for (const FittedParameter& fitted : result.free) text += parameter_row(fitted);
     return text;
 }

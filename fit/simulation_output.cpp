@@ -23,6 +23,13 @@ std::string parameters_text(const Configuration& configuration) {
     return text;
 }
 
+/// What the errors of the readings are called. Those of solver and emulator are bounds, alike from one run to the next:
+/// no standard uncertainties by which a fit may weigh the readings.
+std::string_view error_name(const Configuration& configuration) {
+    const bool by_chance = configuration.engine == Engine::paths || configuration.engine == Engine::walk;
+    return by_chance ? "se" : "model_error";
+}
+
 }  // namespace
 
 std::string simulation_csv(const std::vector<Reading>& readings, const Configuration& configuration) {
@@ -40,7 +47,9 @@ std::string simulation_csv(const std::vector<Reading>& readings, const Configura
         text += fmt::format("# bandpass_shape: {}\n# bandpass_width_nm: {}\n", word("bandpass_shape"), band->width_nm);
     }
     text += fmt::format("# unit: fraction\n# parameters:{}\n", parameters_text(configuration));
-    text += "wavelength_nm,reflectance,reflectance_se,transmittance,transmittance_se,surface_reflectance\n";
+    text +=
+        fmt::format("wavelength_nm,reflectance,reflectance_{0},transmittance,transmittance_{0},surface_reflectance\n",
+                    error_name(configuration));
     for (const Reading& reading : readings) {
         text += fmt::format("{},{},{},{},{},{}\n", reading.wavelength_nm, reading.reflectance, reading.reflectance_se,
                             reading.transmittance, reading.transmittance_se, reading.surface_reflectance);
@@ -51,15 +60,15 @@ std::string simulation_csv(const std::vector<Reading>& readings, const Configura
 Json simulation_json(const std::vector<Reading>& readings, const Configuration& configuration) {
     const Json settings = settings_of(configuration);
     Json json;
-    const auto column = [&](const char* name, double Reading::*field) {
+    const auto column = [&](const std::string& name, double Reading::*field) {
         json[name] = Json::array();
         for (const Reading& reading : readings) json[name].push_back(reading.*field);
     };
     column("wavelength_nm", &Reading::wavelength_nm);
     column("reflectance", &Reading::reflectance);
-    column("reflectance_se", &Reading::reflectance_se);
+    column(fmt::format("reflectance_{}", error_name(configuration)), &Reading::reflectance_se);
     column("transmittance", &Reading::transmittance);
-    column("transmittance_se", &Reading::transmittance_se);
+    column(fmt::format("transmittance_{}", error_name(configuration)), &Reading::transmittance_se);
     column("surface_reflectance", &Reading::surface_reflectance);
     for (const char* key : {"edition", "engine", "seed", "rays"}) json[key] = settings[key];
     json["version"] = version;

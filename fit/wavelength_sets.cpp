@@ -14,7 +14,6 @@
 namespace skinfit {
 
 std::vector<double> parse_wavelengths(std::string_view text, const std::string& where) {
-    constexpr std::size_t most_wavelengths = 10'000;  // chosen: steps of 0.06 nm over all tables
     const auto malformed = [&](const std::string& why) {
         return InputError({.where = where,
                            .problem = fmt::format("\"{}\" is no set of wavelengths", text),

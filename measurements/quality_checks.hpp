@@ -43,6 +43,9 @@ namespace skinfit {
 /// `outside_tables`: wavelengths outside those that the model knows. A note where others lie inside.
 [[nodiscard]] std::optional<Finding> outside_tables(const Spectrum& spectrum, const ModelledRange& modelled);
 
+/// `unusable_uncertainty`: a standard uncertainty that is missing, not above 0, or beyond `sigma_range`.
+[[nodiscard]] std::optional<Finding> unusable_uncertainty(const Spectrum& spectrum);
+
 /// `spikes`: a reading that lies beyond both of its neighbours, on the same side, by more than 0.01, 0.002 per nm of
 /// half their distance, and 6 standard deviations of the spectrum's own reading-to-reading noise. Sound skin does so by
 /// 0.0068 at most at 3 nm and 0.0135 at 10 nm, at a hemoglobin band; white noise, in one of 1e6 readings.
@@ -90,13 +93,14 @@ struct SpectrumCheck {
 };
 
 /// All of them, in the order of their findings.
-inline constexpr std::array<SpectrumCheck, 14> spectrum_checks = {{{"as_read", as_read},
+inline constexpr std::array<SpectrumCheck, 15> spectrum_checks = {{{"as_read", as_read},
                                                                    {"unit_conflict", unit_conflict},
                                                                    {"outside_0_1", outside_0_1},
                                                                    {"offset", offset},
                                                                    {"dark_everywhere", dark_everywhere},
                                                                    {"missing_values", missing_values},
                                                                    {"repeated_wavelengths", repeated_wavelengths},
+                                                                   {"unusable_uncertainty", unusable_uncertainty},
                                                                    {"spikes", spikes},
                                                                    {"collapse_at_end", collapse_at_end},
                                                                    {"falling_end", falling_end},

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/geometry.hpp"
 #include "measurements/quality_checks.hpp"
 #include "measurements/reading_noise.hpp"
 #include "measurements/unit_rule.hpp"
@@ -117,6 +118,21 @@ std::optional<Finding> missing_values(const Spectrum& spectrum) {
                    .message = fmt::format("{} of {} wavelengths have no value", missing, all),
                    .remedy = is_minor ? "none is needed: a fit uses what there is"
                                       : "measure again, or make sure that the others suffice"};
+}
+
+std::optional<Finding> unusable_uncertainty(const Spectrum& spectrum) {
+    const auto is_unusable = [](double sigma) { return !sigma_range.contains(sigma); };
+    const auto first = std::ranges::find_if(spectrum.sigma, is_unusable);
+    if (first == spectrum.sigma.end()) return std::nullopt;
+    const auto at = static_cast<std::size_t>(first - spectrum.sigma.begin());
+    return Finding{
+        .name = "unusable_uncertainty",
+        .spectrum = spectrum.name,
+        .message = fmt::format("{} of {} uncertainties are missing or not from {:g} to {:g}, as {:g} at {:g} "
+                               "nm",
+                               std::ranges::count_if(spectrum.sigma, is_unusable), spectrum.sigma.size(),
+                               sigma_range.lowest, sigma_range.highest, *first, spectrum.wavelength_nm[at]),
+        .remedy = "correct them, or delete their column and state noise=..."};
 }
 
 std::optional<Finding> repeated_wavelengths(const Spectrum& spectrum) {

@@ -71,7 +71,6 @@ TEST_F(StudySimulateRuns, BadInputIsRefusedBeforeAnythingIsMade) {
         EXPECT_NE(outcome.err.find(what), std::string::npos) << outcome.err;
         EXPECT_FALSE(std::filesystem::exists(folder() / "out"));
     };
-    expect({"study"}, "simulate");
     expect({"study", "simulate", "cohort.json"}, "--output");
     expect({"study", "simulate", "absent.json", "--output", "out"}, "absent.json");
     expect({"study", "simulate", "cohort.json", "--output", "out", "--engine", "walk"}, "--engine");
