@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "core/text.hpp"
 #include "measurements/stated_scale.hpp"
@@ -38,6 +39,16 @@ std::size_t words_in(std::string_view text) {
     return static_cast<std::size_t>(std::ranges::count_if(words, [](std::string_view word) { return !word.empty(); }));
 }
 
+/// Whether a line is of several cells, each of which may speak of its own column: more than a key and its value.
+bool is_of_cells(std::string_view line) {
+    if (line.find_first_of(":=") != std::string_view::npos) return false;
+    constexpr std::string_view separators = ",;\t";
+    const std::size_t last = line.find_last_not_of(",;\t ");
+    return std::ranges::count_if(line.substr(0, last == std::string_view::npos ? 0 : last), [&](char c) {
+               return contains(separators, {&c, 1});
+           }) > 1;
+}
+
 /// What the lines of a file state, one after the other.
 class StatedLines {
 public:
@@ -45,14 +56,15 @@ public:
 
     void take(const Comment& line, bool is_comment) {
         const std::optional<KeyedLine> keyed = keyed_line(line.text);
+        const Clauses clauses = !is_comment && is_of_cells(line.text) ? Clauses::cells : Clauses::of_prose;
         if (!keyed || is_title(*keyed, line.text)) {
-            take_prose(line);
+            take_prose(line, clauses);
             take_scale_in_prose(statements_, source_, line.line, line.text, is_comment);
             return;
         }
         static constexpr std::array<std::string_view, 2> known = {"quantity", "unit"};  // of `Description`
         if (is_comment && std::ranges::find(known, keyed->key) != known.end()) return;
-        take_keyed(*keyed, line.line);
+        take_keyed(*keyed, line.line, clauses);
         take_scale(statements_, source_, line.line, *keyed, is_comment);
         if (const auto fill = declared_fill(*keyed)) statements_.fill.push_back(*fill);
         if (const auto declared = declared_by(line.line, keyed->key, keyed->value)) {
@@ -62,8 +74,8 @@ public:
     }
 
     /// What a key states of the values and the abscissa.
-    void take_keyed(const KeyedLine& keyed, std::size_t line) {
-        ValueStatement stated = values_stated_under(keyed.key, keyed.value);
+    void take_keyed(const KeyedLine& keyed, std::size_t line, Clauses clauses = Clauses::of_prose) {
+        ValueStatement stated = values_stated_under(keyed.key, keyed.value, clauses);
         if (!stated.unusable.empty()) stated.unusable = fmt::format("{} {}", keyed.key, keyed.value);
         set_values(stated, is_ordinate_key(keyed.key) ? Weight::ordinate : Weight::key, line);
         set_abscissa(abscissa_stated_under(keyed.key, keyed.value), line);
@@ -77,12 +89,12 @@ public:
 private:
     /// `Absorbance, forearm`: the name of a quantity, and no number of it.
     static bool is_title(const KeyedLine& keyed, std::string_view line) {
-        return line.find_first_of(":=\t") == std::string_view::npos && !values_stated_wholly(keyed.key).is_empty() &&
+        return line.find_first_of(":=") == std::string_view::npos && !values_stated_wholly(keyed.key).is_empty() &&
                !starts_like_a_number(keyed.value);
     }
 
-    void take_prose(const Comment& line) {
-        const ValueStatement stated = values_stated_in_prose(line.text);
+    void take_prose(const Comment& line, Clauses clauses) {
+        const ValueStatement stated = values_stated_in_prose(line.text, clauses);
         if (stated.is_signal && is_compared_) {
             statements_.remarks.push_back(
                 fmt::format("line {} speaks of raw data; they are read as the reflectance to which the file says they "
@@ -140,9 +152,11 @@ private:
     Weight weight_ = Weight::none;
 };
 
-/// The one that the lines state; a remark where they state both.
-void take_specular(FileStatements& statements, std::span<const Comment> lines) {
+/// The one that the lines state; a remark where they state both. What one of several cells states is of its column.
+void take_specular(FileStatements& statements, std::span<const Comment> comments, std::span<const Comment> prose) {
     bool both = false;
+    std::vector<Comment> lines(comments.begin(), comments.end());
+    std::ranges::copy_if(prose, std::back_inserter(lines), [](const Comment& line) { return !is_of_cells(line.text); });
     for (const Comment& line : lines) {
         const std::optional<KeyedLine> keyed = keyed_line(line.text);
         if (keyed && keyed->key == "specular") continue;  // of `Description`
@@ -219,7 +233,7 @@ FileStatements statements_in(const std::string& source, std::span<const Comment>
         }
     }
     FileStatements statements = lines.end();
-    take_specular(statements, all);
+    take_specular(statements, comments, prose);
     return statements;
 }
 

@@ -103,7 +103,7 @@ void take_scale_in_prose(FileStatements& statements, const std::string& source, 
         const std::string_view rest = std::string_view(plain).substr(at + words.size());
         const std::string_view word = rest.substr(0, rest.find_first_of(" ,;"));
         const std::optional<double> number = parse_number(word);
-        if (number && *number != 1) remark_on(statements, line, trimmed(words), word);
+        if (number && *number != 1 && *number != 100) remark_on(statements, line, trimmed(words), word);
     }
 }
 

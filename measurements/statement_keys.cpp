@@ -23,11 +23,11 @@ bool any_known(const std::vector<std::string>& tokens, KeyWords words) {
     return std::ranges::any_of(tokens, [&](const std::string& token) { return is_known(token, words); });
 }
 
-/// The parts of a line between commas and semicolons.
+/// The parts of a line between commas, semicolons and tabs.
 std::vector<std::string_view> clauses_of(std::string_view line) {
     std::vector<std::string_view> clauses;
     while (!line.empty()) {
-        const std::size_t end = std::min(line.find_first_of(",;"), line.size());
+        const std::size_t end = std::min(line.find_first_of(",;\t"), line.size());
         if (const std::string_view clause = trimmed(line.substr(0, end)); !clause.empty()) clauses.push_back(clause);
         line.remove_prefix(std::min(end + 1, line.size()));
     }
@@ -160,7 +160,7 @@ bool is_abscissa_key(std::string_view key) {
     return is_known(bare_key(key), keys);
 }
 
-ValueStatement values_stated_under(std::string_view key, std::string_view value) {
+ValueStatement values_stated_under(std::string_view key, std::string_view value, Clauses clauses) {
     static constexpr std::array<std::string_view, 4> of_letters = {"y", "parameter", "display", "photometricvalue"};
     static constexpr std::array<std::string_view, 16> parts = {
         "lamp", "light",      "source",      "illuminant", "illumination", "reference", "dark",     "background",
@@ -168,7 +168,7 @@ ValueStatement values_stated_under(std::string_view key, std::string_view value)
     if (is_ordinate_key(key)) return values_stated_by_letter(value);
     if (is_known(bare_key(key), of_letters) && is_quantity_letter(value)) return values_stated_by_letter(value);
     if (any_known(tokens_of(plain_text(key)), parts)) return {};
-    const ValueStatement said = values_stated_in_prose(value);
+    const ValueStatement said = values_stated_in_prose(value, clauses);
     return said.is_signal || (!said.quantity && said.unusable.empty()) ? ValueStatement{} : said;
 }
 
@@ -184,20 +184,25 @@ std::optional<Abscissa> abscissa_stated_under(std::string_view key, std::string_
     return speaks_of_axis ? abscissa_wholly(value) : std::nullopt;
 }
 
-ValueStatement values_stated_in_prose(std::string_view line) {
+ValueStatement values_stated_in_prose(std::string_view line, Clauses clauses) {
     ValueStatement found;
+    bool contradicts = false;
+    bool all_state = true;
     for (const std::string_view clause : clauses_of(line)) {
         const ValueStatement said = values_in_clause(clause);
-        const bool contradicts = (!said.unusable.empty() && found.quantity) ||
-                                 (!found.unusable.empty() && said.quantity) ||
-                                 (said.quantity && found.quantity && said.quantity != found.quantity);
-        if (contradicts) return {};
+        all_state = all_state && !said.is_empty();
+        contradicts = contradicts || (!said.unusable.empty() && found.quantity) ||
+                      (!found.unusable.empty() && said.quantity) ||
+                      (said.quantity && found.quantity && said.quantity != found.quantity);
         if (said.quantity) found.quantity = said.quantity;
         if (said.unit && !found.unit) found.unit = said.unit;
         if (said.unusable.empty() || !found.unusable.empty()) continue;
         found.unusable = said.unusable;
         found.is_signal = said.is_signal;
     }
+    if (contradicts && all_state && !found.unusable.empty())
+        return {.unusable = std::string(line)};  // for some of them
+    if (contradicts || (clauses == Clauses::cells && !all_state)) return {};
     return found;
 }
 

@@ -244,6 +244,7 @@ ValueStatement values_stated_by_letter(std::string_view text) {
     ValueStatement statement = values_stated(text);
     if (!is_quantity_letter(text) || statement.quantity) return statement;
     const std::string letter = without_unit(plain_text(text));
+    if (text == "a") return statement;  // a name, as b is
     if (letter == "a") return {.unusable = std::string(text)};
     statement.quantity = letter == "r" ? Quantity::reflectance : Quantity::transmittance;
     return statement;
