@@ -15,22 +15,12 @@ namespace skinfit {
 namespace {
 
 std::string_view meaning_of(std::string_view key) {
-    static constexpr std::array<std::string_view, 16> counts = {"npoints",
-                                                                "numberofpoints",
-                                                                "noofpoints",
-                                                                "nrofpoints",
-                                                                "numberofdatapoints",
-                                                                "datapoints",
-                                                                "points",
-                                                                "numpoints",
-                                                                "numberofpixelsinprocessedspectrum",
-                                                                "channels",
-                                                                "numberofchannels",
-                                                                "numberofbands",
-                                                                "numberofreadings",
-                                                                "numberofvalues",
-                                                                "numberofpixelsinspectrum",
-                                                                "numberofwavelengths"};
+    static constexpr std::array<std::string_view, 15> counts = {
+        "npoints",          "numberofpoints",     "noofpoints",
+        "nrofpoints",       "numberofdatapoints", "datapoints",
+        "points",           "numpoints",          "numberofpixelsinprocessedspectrum",
+        "numberofchannels", "numberofbands",      "numberofpixelsinspectrum",
+        "numberofreadings", "numberofvalues",     "numberofwavelengths"};
     struct Meaning {
         std::string_view key;
         std::string_view meaning;

@@ -198,8 +198,9 @@ std::optional<KeyedLine> keyed_line(std::string_view line) {
     if (at == std::string_view::npos) at = line.find_first_of(":=");
     if (at == std::string_view::npos) {
         at = line.find_first_of(",;");
-        const bool is_prose = at != std::string_view::npos && (words_in(line.substr(0, at)) >= most_words ||
-                                                               words_in(line.substr(at + 1)) > most_words);
+        const bool is_long = at != std::string_view::npos &&
+                             (words_in(line.substr(0, at)) >= most_words || words_in(line.substr(at + 1)) > most_words);
+        const bool is_prose = is_long || contains(line, " in ") || contains(line, " is ") || contains(line, " as ");
         if (is_prose) return std::nullopt;
     }
     if (at == std::string_view::npos) at = line.find("  ");

@@ -91,7 +91,8 @@ std::optional<Specular> specular_stated(std::string_view text) {
     const std::string plain = plain_text(text);
     const std::vector<std::string> tokens = tokens_of(plain);
     const std::string packed = packed_geometry(plain);
-    const bool speaks_of_it = any_begins(tokens, "spec") || contains(plain, "gloss");
+    const bool speaks_of_it = contains(plain, "specular") || contains(plain, "gloss") ||
+                              std::ranges::find(tokens, std::string_view("spec")) != tokens.end();
     included =
         included || plain == "sci" || holds_form(packed, sphere_in) || (speaks_of_it && any_begins(tokens, "incl"));
     excluded = excluded || plain == "sce" || holds_form(packed, sphere_out) ||

@@ -60,23 +60,37 @@ ValueStatement quantity_wholly(std::string_view text) {
     return any_known(tokens_of(plain_text(text)), others) ? ValueStatement{} : values_stated_wholly(text);
 }
 
+/// Words for what a file holds.
+constexpr std::array<std::string_view, 17> subjects = {
+    "spectrum",     "spectra", "file", "data",     "values", "value",  "reading", "readings", "measurement",
+    "measurements", "columns", "y",    "ordinate", "signal", "result", "results", "unit"};
+
 ValueStatement values_in_clause(std::string_view clause) {
     if (const ValueStatement all = quantity_wholly(clause); !all.is_empty()) return all;
-    static constexpr std::array<std::string_view, 17> subjects = {
-        "spectrum",     "spectra", "file", "data",     "values", "value",  "reading", "readings", "measurement",
-        "measurements", "columns", "y",    "ordinate", "signal", "result", "results", "unit"};
     for (const Parts& parts : cut_at_words(clause, connectives)) {
         if (!any_known(tokens_of(plain_text(parts.before)), subjects)) continue;
         if (const ValueStatement said = quantity_wholly(parts.behind); !said.is_empty()) return said;
     }
     static constexpr std::array<std::string_view, 3> of = {"of", "from", "for"};
+    static constexpr std::array<std::string_view, 6> phenomena = {"absorption",   "extinction", "attenuation",
+                                                                  "fluorescence", "emission",   "luminescence"};
     constexpr std::size_t most_words = 3;  // of what the values are of; more is a tale
     for (const Parts& parts : cut_at_words(clause, of)) {
         const ValueStatement said = quantity_wholly(parts.before);
-        const bool names_quantity = said.quantity || (!said.unusable.empty() && !said.is_signal);
+        const bool is_phenomenon = !any_known(tokens_of(plain_text(parts.before)), subjects) &&
+                                   any_known(tokens_of(plain_text(parts.before)), phenomena);
+        const bool names_quantity = said.quantity || (!said.unusable.empty() && !said.is_signal && !is_phenomenon);
         if (names_quantity && tokens_of(parts.behind).size() <= most_words) return said;
     }
     return {};
+}
+
+/// Forms that may be initials, a kind of file or an eye: `OD`.
+bool is_short_form(std::string_view value) {
+    static constexpr std::array<std::string_view, 10> forms = {"abs",   "od", "dn", "dns", "log",
+                                                               "count", "km", "ks", "ln",  "cps"};
+    const std::vector<std::string> tokens = tokens_of(plain_text(value));
+    return std::ranges::all_of(tokens, [](const std::string& token) { return is_known(token, forms); });
 }
 
 /// Units of light, rather than of lengths and frequencies of anything.
@@ -162,14 +176,22 @@ bool is_abscissa_key(std::string_view key) {
 
 ValueStatement values_stated_under(std::string_view key, std::string_view value, Clauses clauses) {
     static constexpr std::array<std::string_view, 4> of_letters = {"y", "parameter", "display", "photometricvalue"};
-    static constexpr std::array<std::string_view, 16> parts = {
-        "lamp", "light",      "source",      "illuminant", "illumination", "reference", "dark",     "background",
-        "bulb", "excitation", "calibration", "correction", "standard",     "filter",    "detector", "white"};
+    static constexpr std::array<std::string_view, 18> parts = {
+        "baseline",     "zero",       "lamp",     "light",      "source",   "illuminant",
+        "illumination", "reference",  "dark",     "background", "bulb",     "excitation",
+        "calibration",  "correction", "standard", "filter",     "detector", "white"};
+    static constexpr std::array<std::string_view, 13> of_values = {
+        "mode",     "value", "values",   "unit",     "units",       "data",       "signal",
+        "spectrum", "y",     "ordinate", "quantity", "photometric", "measurement"};
     if (is_ordinate_key(key)) return values_stated_by_letter(value);
     if (is_known(bare_key(key), of_letters) && is_quantity_letter(value)) return values_stated_by_letter(value);
     if (any_known(tokens_of(plain_text(key)), parts)) return {};
     const ValueStatement said = values_stated_in_prose(value, clauses);
-    return said.is_signal || (!said.quantity && said.unusable.empty()) ? ValueStatement{} : said;
+    const bool is_amount =
+        said.unusable.empty() && starts_like_a_number(value);  // as of a standard: `100 % reflectance`
+    const bool is_name = is_short_form(value) && !any_known(tokens_of(plain_text(key)), of_values);
+    const bool is_sure = !said.is_signal && (said.quantity || !said.unusable.empty()) && !is_amount && !is_name;
+    return is_sure ? said : ValueStatement{};
 }
 
 std::optional<Abscissa> abscissa_stated_under(std::string_view key, std::string_view value) {
