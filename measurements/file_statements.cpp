@@ -63,7 +63,7 @@ public:
             return;
         }
         static constexpr std::array<std::string_view, 2> known = {"quantity", "unit"};  // of `Description`
-        if (is_comment && std::ranges::find(known, keyed->key) != known.end()) return;
+        if (is_comment && contains(line.text, ":") && std::ranges::find(known, keyed->key) != known.end()) return;
         take_keyed(*keyed, line.line, clauses);
         take_scale(statements_, source_, line.line, *keyed, is_comment);
         if (const auto fill = declared_fill(*keyed)) statements_.fill.push_back(*fill);
@@ -159,7 +159,7 @@ void take_specular(FileStatements& statements, std::span<const Comment> comments
     std::ranges::copy_if(prose, std::back_inserter(lines), [](const Comment& line) { return !is_of_cells(line.text); });
     for (const Comment& line : lines) {
         const std::optional<KeyedLine> keyed = keyed_line(line.text);
-        if (keyed && keyed->key == "specular") continue;  // of `Description`
+        if (keyed && keyed->key == "specular" && contains(line.text, ":")) continue;  // of `Description`
         auto stated = keyed ? specular_stated(keyed->key, keyed->value) : std::nullopt;
         const bool is_one_phrase = !keyed || line.text.find_first_of(":=\t") == std::string_view::npos;
         if (!stated && is_one_phrase) stated = specular_stated(line.text);

@@ -61,9 +61,10 @@ ValueStatement quantity_wholly(std::string_view text) {
 }
 
 /// Words for what a file holds.
-constexpr std::array<std::string_view, 17> subjects = {
-    "spectrum",     "spectra", "file", "data",     "values", "value",  "reading", "readings", "measurement",
-    "measurements", "columns", "y",    "ordinate", "signal", "result", "results", "unit"};
+constexpr std::array<std::string_view, 19> subjects = {"spectrum", "spectra", "file",     "data",        "values",
+                                                       "value",    "reading", "readings", "measurement", "measurements",
+                                                       "columns",  "y",       "ordinate", "signal",      "result",
+                                                       "results",  "unit",    "units",    "quantity"};
 
 ValueStatement values_in_clause(std::string_view clause) {
     if (const ValueStatement all = quantity_wholly(clause); !all.is_empty()) return all;
@@ -102,11 +103,11 @@ bool is_of_light(const Abscissa& abscissa) {
 
 /// A unit of light, or a Raman shift, in words that say nothing else.
 std::optional<Abscissa> abscissa_wholly(std::string_view text) {
-    static constexpr std::array<std::string_view, 28> fillers = {
-        "x",      "axis",     "abscissa",  "unit",        "units",  "in",         "is",
-        "are",    "as",       "the",       "of",          "light",  "wavenumber", "wavenumbers",
-        "wave",   "number",   "numbers",   "photon",      "energy", "energies",   "shift",
-        "shifts", "spectral", "frequency", "frequencies", "raman",  "vacuum",     "values"};
+    static constexpr std::array<std::string_view, 29> fillers = {
+        "given",     "x",           "axis",   "abscissa", "unit",     "units",      "in",          "is",
+        "are",       "as",          "the",    "of",       "light",    "wavenumber", "wavenumbers", "wave",
+        "number",    "numbers",     "photon", "energy",   "energies", "shift",      "shifts",      "spectral",
+        "frequency", "frequencies", "raman",  "vacuum",   "values"};
     const std::optional<Abscissa> stated = abscissa_stated(text);
     if (!stated) return std::nullopt;
     const std::vector<std::string> tokens = tokens_of(plain_text(text));
@@ -185,6 +186,8 @@ ValueStatement values_stated_under(std::string_view key, std::string_view value,
         "spectrum", "y",     "ordinate", "quantity", "photometric", "measurement"};
     if (is_ordinate_key(key)) return values_stated_by_letter(value);
     if (is_known(bare_key(key), of_letters) && is_quantity_letter(value)) return values_stated_by_letter(value);
+    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    if (std::ranges::none_of(value, is_letter)) return {};  // numbers and dates, of rows by the thousand
     if (any_known(tokens_of(plain_text(key)), parts)) return {};
     const ValueStatement said = values_stated_in_prose(value, clauses);
     const bool is_amount =
@@ -195,15 +198,16 @@ ValueStatement values_stated_under(std::string_view key, std::string_view value,
 }
 
 std::optional<Abscissa> abscissa_stated_under(std::string_view key, std::string_view value) {
-    static constexpr std::array<std::string_view, 24> of_axis = {
-        "x",          "xaxis",      "axis",   "unit",  "units",      "mode",        "label",       "title",
-        "type",       "abscissa",   "energy", "scale", "spectral",   "domain",      "start",       "end",
-        "wavelength", "wavenumber", "first",  "last",  "horizontal", "wavelengths", "wavenumbers", "frequency"};
+    static constexpr std::array<std::string_view, 28> of_axis = {
+        "column",     "columns", "data",     "format",     "x",           "xaxis",       "axis",
+        "unit",       "units",   "mode",     "label",      "title",       "type",        "abscissa",
+        "energy",     "scale",   "spectral", "domain",     "start",       "end",         "wavelength",
+        "wavenumber", "first",   "last",     "horizontal", "wavelengths", "wavenumbers", "frequency"};
     if (is_abscissa_key(key)) return abscissa_stated(value);
     const std::vector<std::string> tokens = tokens_of(plain_text(key));
     const bool speaks_of_axis =
         std::ranges::all_of(tokens, [](const std::string& token) { return is_known(token, of_axis); });
-    return speaks_of_axis ? abscissa_wholly(value) : std::nullopt;
+    return speaks_of_axis ? abscissa_stated_in_prose(value) : std::nullopt;
 }
 
 ValueStatement values_stated_in_prose(std::string_view line, Clauses clauses) {

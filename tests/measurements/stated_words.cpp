@@ -80,6 +80,8 @@ TEST(StatedWords, OfOtherQuantitiesAreRefusedWhereverTheyStand) {
                                    "Spectrum file is raw data",
                                    "Spectrum file is radiance data",
                                    "# values are absorbance",
+                                   "# quantity = absorbance",
+                                   "# units are digital numbers",
 
                                    "# Spectra of skin as absorbance, log10(1/R), measured by me in May"}) {
         EXPECT_NE(refusal(line + "\nwavelength,arm\n" + rows), "") << line;
