@@ -6,6 +6,7 @@
 #include <array>
 
 #include "core/input_error.hpp"
+#include "core/text.hpp"
 #include "measurements/value_statement.hpp"
 #include "measurements/words.hpp"
 
@@ -54,7 +55,7 @@ constexpr std::array<UnitName, 32> units = {{{"nm", "nm", 1, 0},
                                              {"mev", "meV", 0, planck_times_light_nm_ev * 1e3},
                                              {"kev", "keV", 0, planck_times_light_nm_ev * 1e-3},
                                              {"kayser", "1/cm", 0, 1e7},
-                                             {"a", "angstrom", 0.1, 0}}};
+                                             {"kk", "1000/cm", 0, 1e4}}};
 
 bool holds(const std::vector<std::string>& tokens, std::string_view word) {
     return std::ranges::find(tokens, word) != tokens.end();
@@ -75,19 +76,13 @@ std::optional<Abscissa> reciprocal_length(std::string_view packed) {
         std::string_view name;
         double nm_times_unit;
     };
-    static constexpr std::array<Form, 13> forms = {{{"1/cm", "1/cm", 1e7},
-                                                    {"cm-1", "1/cm", 1e7},
-                                                    {"cm^-1", "1/cm", 1e7},
-                                                    {"cm^{-1}", "1/cm", 1e7},
-                                                    {"cm**-1", "1/cm", 1e7},
-                                                    {"percm", "1/cm", 1e7},
-                                                    {"(/cm)", "1/cm", 1e7},
-                                                    {"1/um", "1/um", 1e3},
-                                                    {"um-1", "1/um", 1e3},
-                                                    {"um^-1", "1/um", 1e3},
-                                                    {"1/nm", "1/nm", 1},
-                                                    {"nm-1", "1/nm", 1},
-                                                    {"nm^-1", "1/nm", 1}}};
+    static constexpr std::array<Form, 21> forms = {
+        {{"10^3cm-1", "1000/cm", 1e4}, {"10^3cm^-1", "1000/cm", 1e4}, {"1/cm", "1/cm", 1e7},   {"cm-1", "1/cm", 1e7},
+         {"cm^-1", "1/cm", 1e7},       {"cm^{-1}", "1/cm", 1e7},      {"cm**-1", "1/cm", 1e7}, {"percm", "1/cm", 1e7},
+         {"(/cm)", "1/cm", 1e7},       {"1/um", "1/um", 1e3},         {"um-1", "1/um", 1e3},   {"um^-1", "1/um", 1e3},
+         {"1/nm", "1/nm", 1},          {"nm-1", "1/nm", 1},           {"nm^-1", "1/nm", 1},    {"1/mm", "1/mm", 1e6},
+         {"mm-1", "1/mm", 1e6},        {"mm^-1", "1/mm", 1e6},        {"1/m", "1/m", 1e9},     {"m-1", "1/m", 1e9},
+         {"m^-1", "1/m", 1e9}}};
     const auto form = std::ranges::find_if(forms, [&](const Form& each) { return contains(packed, each.text); });
     if (form == forms.end()) return std::nullopt;
     return Abscissa{.name = std::string(form->name),
@@ -103,10 +98,12 @@ std::optional<Abscissa> stated_unit(const std::string& text, const std::vector<s
     std::erase_if(packed, [](char c) { return c == ' ' || c == '_'; });
     if (const auto reciprocal = reciprocal_length(packed)) return reciprocal;
     for (const UnitName& unit : units) {
-        // `m`, `a` and `mu` alone may be anything; beside the word wavelength they are its unit.
-        const bool is_short = unit.word == "m" || unit.word == "a" || unit.word == "mu";
+        // `m` and `mu` alone may be anything; beside the word wavelength they are its unit.
+        const bool is_short = unit.word == "m" || unit.word == "mu";
         if (holds(tokens, unit.word) && (!is_short || speaks_of_wavelengths)) return in_unit(unit);
     }
+    const bool in_angstroms = contains(packed, "(a)") || contains(packed, "[a]") || packed.ends_with("/a");
+    if (in_angstroms && speaks_of_wavelengths) return in_unit({"a", "angstrom", 0.1, 0});  // `lambda a` is of scan a
     return std::nullopt;
 }
 
@@ -117,13 +114,20 @@ bool speaks_of_wavenumbers(const std::string& plain) {
 }
 
 bool speaks_of_wavelengths(const std::vector<std::string>& tokens) {
-    static constexpr std::array<std::string_view, 2> whole = {"wl", "wvl"};
+    static constexpr std::array<std::string_view, 4> whole = {"wl", "wvl", "wave", "waves"};
     static constexpr std::array<std::string_view, 9> beginnings = {
-        "wave", "lambda", "wellenl", "longueur", "longitud", "lunghe", "wvlgth", "wlength", "golfl"};
-    return std::ranges::any_of(tokens, [](const std::string& token) {
-        return std::ranges::find(whole, token) != whole.end() ||
-               std::ranges::any_of(beginnings, [&](std::string_view word) { return token.starts_with(word); });
-    });
+        "wavel", "lambda", "wellenl", "longueur", "longitud", "lunghe", "wvlgth", "wlength", "golfl"};
+    constexpr std::size_t digits_of_a_model = 3;  // the spectrometer Lambda 950
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        const std::string& token = tokens[i];
+        const bool is_model = token == "lambda" && i + 1 < tokens.size() && tokens[i + 1].size() >= digits_of_a_model &&
+                              std::ranges::all_of(tokens[i + 1], is_digit);
+        const bool is_word =
+            std::ranges::find(whole, token) != whole.end() ||
+            std::ranges::any_of(beginnings, [&](std::string_view word) { return token.starts_with(word); });
+        if (is_word && !is_model) return true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -134,10 +138,15 @@ std::optional<Abscissa> abscissa_stated(std::string_view text) {
     const bool wavenumber = speaks_of_wavenumbers(plain);
     const bool wavelength = !wavenumber && speaks_of_wavelengths(tokens);
     const Abscissa unusable{.name = {}, .nm_per_unit = 0, .nm_times_unit = 0, .unusable = std::string(text)};
-    if (contains(plain, "raman") || (holds(tokens, "shift") && !wavelength)) return unusable;
+    const bool shift = holds(tokens, "shift") || holds(tokens, "shifts");
+    if (contains(plain, "raman") || (shift && !wavelength)) return unusable;
+    for (const std::string_view word : {"depth", "thickness", "distance", "temperature", "mol"}) {
+        if (holds(tokens, word) && !wavelength) return unusable;
+    }
     if (const auto unit = stated_unit(plain, tokens, wavelength)) return unit;
     if (wavenumber) return in_unit({"", "1/cm", 0, 1e7});
-    for (const std::string_view word : {"frequency", "freq", "energy", "pixel", "pixels", "px", "channel", "time"}) {
+    for (const std::string_view word :
+         {"frequency", "freq", "energy", "pixel", "pixels", "px", "channel", "time", "motor"}) {
         if (holds(tokens, word)) return unusable;
     }
     if (wavelength) return Abscissa{.name = "nm"};
@@ -157,6 +166,16 @@ bool is_abscissa_name(std::string_view name) {
     if (!stated || is_letter || !stated->unusable.empty()) return false;
     return std::ranges::all_of(tokens, is_unit) || holds(tokens, "frequency") || holds(tokens, "energy") ||
            stated->name == "1/cm";
+}
+
+std::optional<Abscissa> abscissa_in_corner(std::string_view corner) {
+    if (is_abscissa_name(corner)) return abscissa_stated(corner);
+    for (std::size_t at = corner.find_first_of("\\/|"); at != std::string_view::npos;
+         at = corner.find_first_of("\\/|", at + 1)) {
+        const std::string_view behind = trimmed(corner.substr(at + 1));
+        if (is_abscissa_name(behind)) return abscissa_stated(behind);
+    }
+    return std::nullopt;
 }
 
 std::vector<double> wavelengths_nm(const Abscissa& abscissa, std::span<const double> numbers) {

@@ -29,6 +29,10 @@ struct Abscissa {
 /// That a name holds a unit, as in `spot of 3 mm`, is not enough.
 [[nodiscard]] bool is_abscissa_name(std::string_view name);
 
+/// What the corner of a table with a spectrum in each row states of the numbers beside it: `wavelength (nm)`, or what
+/// stands behind a stroke as in `sample \ THz`.
+[[nodiscard]] std::optional<Abscissa> abscissa_in_corner(std::string_view corner);
+
 /// The wavelengths, nm, that `numbers` in this unit are in vacuum. Numbers must not be 0 where they are reciprocal.
 [[nodiscard]] std::vector<double> wavelengths_nm(const Abscissa& abscissa, std::span<const double> numbers);
 

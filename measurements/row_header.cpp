@@ -208,9 +208,10 @@ std::optional<RowHeader> row_header_in(std::string_view line, std::size_t number
     for (const std::size_t before :
          {header.first_value, std::size_t{1}}) {  // the label at the numbers, then the corner
         if (header.abscissa || before == 0 || before > header.labels.size()) continue;
-        if (is_abscissa_name(header.labels[before - 1])) header.abscissa = abscissa_stated(header.labels[before - 1]);
+        header.abscissa = abscissa_in_corner(header.labels[before - 1]);
     }
-    header.states = values_stated_by_letter(first->prefix);
+    header.states = values_stated_by_letter(first->prefix == "a" ? "A" : first->prefix);  // `a400` is no name
+    if (header.states.is_empty()) header.states = values_stated_wholly(header.labels.front());
     const bool usable = !header.abscissa || header.abscissa->unusable.empty();
     return usable && are_wavelengths(header.wavelength_nm()) ? std::optional(header) : std::nullopt;
 }

@@ -158,7 +158,7 @@ private:
             if (cell.empty() || header_.label[i] == 0) continue;
             const std::string value = unescaped(cell);
             spectrum.notes.push_back({.line = line, .key = header_.labels[i], .value = value});
-            const ValueStatement label = stated_by_label(header_.labels[i], value);
+            const ValueStatement label = values_stated_under(header_.labels[i], value);
             const auto specular = specular_stated(header_.labels[i], value);
             if (label.quantity || !label.unusable.empty()) stated = label;
             if (label.unit) row.unit = label.unit;
@@ -171,16 +171,6 @@ private:
             spectrum.unusable = fmt::format("{} is neither reflectance nor transmittance as fraction or percent",
                                             in_quotes(stated.unusable));
         }
-    }
-
-    /// A label for the quantity states it in any words, another one only by its plain name.
-    static ValueStatement stated_by_label(std::string_view name, std::string_view value) {
-        static constexpr std::array<std::string_view, 9> plain = {"reflectance", "transmittance", "absorbance",
-                                                                  "absorptance", "fluorescence",  "irradiance",
-                                                                  "radiance",    "raw",           "counts"};
-        if (is_ordinate_key(name)) return values_stated_by_letter(value);
-        const bool states = std::ranges::find(plain, lower_case(value)) != plain.end();
-        return states ? values_stated(value) : ValueStatement{};
     }
 
     /// Rows of one name get what their labels state beside it: `forearm 1 SCE`.

@@ -51,31 +51,52 @@ std::string without_unit(std::string text) {
     return std::string(trimmed(text));
 }
 
+/// A power of a length, as in `W/m2`, and no word: `w/makeup`.
+bool holds_power(const std::string& packed) {
+    for (const std::string_view power : {"w/m", "w/cm", "w/mm", "w/um"}) {
+        for (std::size_t at = packed.find(power); at != std::string::npos; at = packed.find(power, at + 1)) {
+            const std::size_t end = at + power.size();
+            if (end == packed.size() || std::isalpha(static_cast<unsigned char>(packed[end])) == 0) return true;
+        }
+    }
+    return false;
+}
+
 /// Computed from a reflectance or measured instead of one, whatever other words stand beside.
 bool is_never_usable(const std::string& text, const std::vector<std::string>& tokens) {
-    static constexpr std::array<std::string_view, 17> words = {
-        "abs",    "od",    "dn",         "dns",        "log", "log10", "ln",        "ks", "logr",
-        "counts", "count", "extinction", "derivative", "snv", "rfu",   "emittance", "adu"};
+    static constexpr std::array<std::string_view, 22> words = {
+        "abs", "od",         "dn",         "dns", "log", "log10",     "lgr", "ks",   "logr", "counts", "count",
+        "cps", "extinction", "derivative", "snv", "rfu", "emittance", "adu", "brdf", "bsdf", "lnr",    "attenuation"};
     static constexpr std::array<std::string_view, 12> beginnings = {
         "absorb",   "absorp",  "radianc",    "irradian",   "fluoresc",  "luminesc",
         "phosphor", "kubelka", "emissivity", "extinktion", "derivativ", "luminance"};
-    static constexpr std::array<std::string_view, 20> phrases = {
-        "log(1/", "log1/", "log10(", "log(r", "-log", "ln(1/",  "ln(r", "k/s",    "f(r)",        "w/m",
-        "w/cm",   "w/(m",  "w/sr",   "w.m-2", "umol", "1-refl", "1-r/", "1/refl", "opticaldens", "digitalnumber"};
+    static constexpr std::array<std::string_view, 35> phrases = {
+        "log(1/",      "log1/",         "log10(",         "log(r",         "-log",       "ln(1/", "ln(r",
+        "lg(",         "k/s",           "f(r)",           "w/(m",          "w/sr",       "w.m-2", "umol",
+        "1-refl",      "1-r/",          "1/refl",         "1/sr",          "sr-1",       "sr^-1", "o.d.",
+        "opticaldens", "digitalnumber", "colourstrength", "colorstrength", "photonflux", "lg1/",  "(db)",
+        "[db]",        "(mw)",          "[mw]",           "(mv)",          "[mv]",       "(v)",   "[v]"};
+    static constexpr std::array<std::string_view, 7> whole = {"1-r",     "1/r",      "k-m",       "km",
+                                                              "kmunits", "k-munits", "returnloss"};
     const std::string packed = compact(text);
-    return any_is_one_of(tokens, words) || any_starts_with(tokens, beginnings) ||
+    return any_is_one_of(tokens, words) || any_starts_with(tokens, beginnings) || holds_power(packed) ||
            std::ranges::any_of(phrases, [&](std::string_view phrase) { return contains(packed, phrase); }) ||
-           packed == "1-r" || packed == "1/r";
+           is_one_of(packed, whole) || text == "ln r";
 }
 
-/// Raw signals, unless the same words call them a reflectance or transmittance.
+/// Raw signals, unless the same words call them a reflectance or transmittance; at an end of a name or as all of it, as
+/// in `intensity of arm`, not in `high intensity site`.
 bool is_raw_signal(const std::string& text, const std::vector<std::string>& tokens) {
-    static constexpr std::array<std::string_view, 8> words = {"intensity", "intensities", "emission", "scope",
-                                                              "voltage",   "photons",     "raman",    "scattering"};
-    static constexpr std::array<std::string_view, 12> whole = {
-        "raw",       "raw data", "raw signal",      "signal",         "dark signal", "dark current",
-        "reference", "ref",      "white reference", "dark reference", "background",  "baseline"};
-    return any_is_one_of(tokens, words) || is_one_of(without_unit(text), whole);
+    static constexpr std::array<std::string_view, 9> words = {
+        "intensity", "intensities", "emission", "scope", "voltage", "photons", "raman", "flux", "scattering"};
+    static constexpr std::array<std::string_view, 16> whole = {
+        "raw",       "raw data", "raw signal",      "signal",         "dark signal", "dark current", "au",    "a.u.",
+        "reference", "ref",      "white reference", "dark reference", "background",  "int.",         "power", "int"};
+    const std::string bare = without_unit(text);
+    if (is_one_of(bare, whole)) return true;
+    const std::vector<std::string> bare_tokens = tokens_of(bare);
+    if (bare_tokens.empty()) return any_is_one_of(tokens, words);
+    return is_one_of(bare_tokens.front(), words) || is_one_of(bare_tokens.back(), words);
 }
 
 std::optional<Quantity> quantity_of(const std::string& text, const std::vector<std::string>& tokens) {
@@ -125,8 +146,9 @@ bool states_fraction(const std::string& text, const std::vector<std::string>& to
            std::ranges::any_of(phrases, [&](std::string_view phrase) { return contains(packed, phrase); });
 }
 
-/// `x10000`, `*1e4`, `(10^-4)` or a thousandth: numbers that are neither fractions nor percent.
-bool is_scaled(const std::string& text) {
+/// `x10000`, `*1e4`, `(10^-4)` or a thousandth: numbers that are neither fractions nor percent. Tenfold only beside the
+/// word for a quantity, and no date: `Subject x10` and `20/10/2026` are names.
+bool is_scaled(const std::string& text, bool names_quantity) {
     const std::string packed = compact(text);
     if (contains(packed, "\xE2\x80\xB0") || contains(packed, "permille") || contains(packed, "10^") ||
         contains(packed, "10**")) {
@@ -135,10 +157,12 @@ bool is_scaled(const std::string& text) {
     for (std::size_t at = text.find_first_of("x*/"); at != std::string::npos; at = text.find_first_of("x*/", at + 1)) {
         const bool inside_a_word =
             text[at] == 'x' && at > 0 && std::isalpha(static_cast<unsigned char>(text[at - 1])) != 0;
+        const bool inside_a_date = text[at] == '/' && at > 0 && is_digit(text[at - 1]);
         const std::string_view number = trimmed(std::string_view(text).substr(at + 1));
         const std::size_t size = std::min(number.find_first_not_of("0123456789e"), number.size());
         const bool is_power = number.starts_with("10") || number.starts_with("1e");
-        if (!inside_a_word && is_power && size >= 2 && number.substr(0, size) != "100") return true;
+        if (inside_a_word || inside_a_date || !is_power || size < 2 || number.substr(0, size) == "100") continue;
+        if (names_quantity || number.substr(0, size) != "10") return true;
     }
     return false;
 }
@@ -149,15 +173,100 @@ ValueStatement values_stated(std::string_view text) {
     const std::string plain = plain_text(text);
     const std::vector<std::string> tokens = tokens_of(plain);
     ValueStatement statement{.quantity = quantity_of(plain, tokens)};
-    if (is_never_usable(plain, tokens) || (!statement.quantity && is_raw_signal(plain, tokens)) || is_scaled(plain)) {
+    const bool is_unit_of_signals = text == "mV" || text == "mW" || text == "dB";  // in capitals they are initials
+    if (is_unit_of_signals || is_never_usable(plain, tokens) || is_scaled(plain, statement.quantity.has_value())) {
         return {.unusable = std::string(text)};
     }
+    if (!statement.quantity && is_raw_signal(plain, tokens)) return {.unusable = std::string(text), .is_signal = true};
     if (states_percent(plain, tokens)) {
         statement.unit = Unit::percent;
     } else if (states_fraction(plain, tokens)) {
         statement.unit = Unit::fraction;
     }
     return statement;
+}
+
+ValueStatement values_stated_wholly(std::string_view text) {
+    // What may stand beside the word for a quantity: parts of units and of formulas, and words for readings.
+    static constexpr std::array<std::string_view, 73> fillers = {"digital",
+                                                                 "given",
+                                                                 "transformed",
+                                                                 "spectrum",
+                                                                 "spectra",
+                                                                 "spectral",
+                                                                 "data",
+                                                                 "value",
+                                                                 "values",
+                                                                 "reading",
+                                                                 "readings",
+                                                                 "unit",
+                                                                 "units",
+                                                                 "mode",
+                                                                 "in",
+                                                                 "is",
+                                                                 "are",
+                                                                 "as",
+                                                                 "the",
+                                                                 "of",
+                                                                 "measured",
+                                                                 "y",
+                                                                 "axis",
+                                                                 "scale",
+                                                                 "level",
+                                                                 "mean",
+                                                                 "average",
+                                                                 "apparent",
+                                                                 "file",
+                                                                 "raw",
+                                                                 "signal",
+                                                                 "total",
+                                                                 "diffuse",
+                                                                 "regular",
+                                                                 "hemispherical",
+                                                                 "specular",
+                                                                 "directional",
+                                                                 "relative",
+                                                                 "absolute",
+                                                                 "factor",
+                                                                 "number",
+                                                                 "numbers",
+                                                                 "optical",
+                                                                 "density",
+                                                                 "munk",
+                                                                 "function",
+                                                                 "f",
+                                                                 "r",
+                                                                 "t",
+                                                                 "a",
+                                                                 "u",
+                                                                 "au",
+                                                                 "k",
+                                                                 "s",
+                                                                 "m",
+                                                                 "1",
+                                                                 "0",
+                                                                 "10",
+                                                                 "100",
+                                                                 "2",
+                                                                 "w",
+                                                                 "uw",
+                                                                 "cm",
+                                                                 "m2",
+                                                                 "cm2",
+                                                                 "sr",
+                                                                 "nm",
+                                                                 "measurement",
+                                                                 "measurements",
+                                                                 "internal",
+                                                                 "1st",
+                                                                 "2nd",
+                                                                 "first"};
+    const ValueStatement statement = values_stated(text);
+    if (statement.is_empty()) return {};
+    const std::vector<std::string> tokens = tokens_of(plain_text(text));
+    const bool wholly = std::ranges::all_of(
+        tokens, [](const std::string& token) { return is_one_of(token, fillers) || !values_stated(token).is_empty(); });
+    return wholly ? statement : ValueStatement{};
 }
 
 bool is_single_letter(std::string_view name) {
@@ -173,50 +282,10 @@ ValueStatement values_stated_by_letter(std::string_view text) {
     ValueStatement statement = values_stated(text);
     if (!is_quantity_letter(text) || statement.quantity) return statement;
     const std::string letter = without_unit(plain_text(text));
+    if (text == "a") return statement;  // a name, as b is
     if (letter == "a") return {.unusable = std::string(text)};
     statement.quantity = letter == "r" ? Quantity::reflectance : Quantity::transmittance;
     return statement;
-}
-
-std::optional<Specular> specular_stated(std::string_view text) {
-    static constexpr std::array<std::string_view, 4> in = {"SCI", "SPIN", "SIN", "sci"};
-    static constexpr std::array<std::string_view, 4> out = {"SCE", "SPEX", "SEX", "sce"};
-    bool included = false;
-    bool excluded = false;
-    const std::string spaced = [text] {
-        std::string words(text);
-        std::ranges::replace_if(
-            words, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, ' ');
-        return words;
-    }();
-    for (const std::string_view word : split(spaced, ' ')) {
-        included = included || is_one_of(word, in);
-        excluded = excluded || is_one_of(word, out);
-    }
-    const std::string plain = plain_text(text);
-    if (contains(plain, "specular") || contains(plain, "gloss")) {
-        included = included || contains(plain, "incl");
-        excluded = excluded || contains(plain, "excl");
-    }
-    if (included == excluded) return std::nullopt;
-    return included ? Specular::included : Specular::excluded;
-}
-
-std::optional<Specular> specular_stated(std::string_view name, std::string_view value) {
-    static constexpr std::array<std::string_view, 5> yes = {"yes", "y", "on", "true", "1"};
-    static constexpr std::array<std::string_view, 5> no = {"no", "n", "off", "false", "0"};
-    static constexpr std::array<std::string_view, 4> in = {"included", "include", "incl", "in"};
-    static constexpr std::array<std::string_view, 5> out = {"excluded", "exclude", "excl", "ex", "out"};
-    if (const auto stated = specular_stated(value)) return stated;
-    const std::string answer = compact(plain_text(value));
-    const std::string_view word = std::string_view(answer).substr(0, answer.find('.'));
-    const bool asks = contains(plain_text(name), "specular");
-    if (asks && is_one_of(word, in)) return Specular::included;
-    if (asks && is_one_of(word, out)) return Specular::excluded;
-    const auto asked = specular_stated(name);
-    if (!asked || (!is_one_of(word, yes) && !is_one_of(word, no))) return std::nullopt;
-    const bool included = (*asked == Specular::included) == is_one_of(word, yes);
-    return included ? Specular::included : Specular::excluded;
 }
 
 }  // namespace skinfit

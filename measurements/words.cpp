@@ -25,33 +25,40 @@ std::string in_quotes(std::string_view text) {
 }
 
 bool is_missing(std::string_view cell) {
-    static constexpr std::array<std::string_view, 30> words = {
-        "nan",  "na",   "n/a",  "+nan",  "-nan",   "null",    "none",    "nil",      "missing", "n.a.",
-        "<na>", "-",    "--",   "---",   ".",      "*",       "**",      "***",      "#n/a",    "#na",
-        "inf",  "+inf", "-inf", "#num!", "#null!", "#value!", "#div/0!", "infinity", "#ref!",   "#name?"};
+    static constexpr std::array<std::string_view, 42> words = {
+        "nan",  "na",   "n/a",  "null", "none",     "nil",    "missing", "n.a.",   "n.a",  "nd",  "n.d.",
+        "n.d",  "<na>", "-",    "--",   "---",      ".",      "..",      "...",    "*",    "**",  "***",
+        "****", "?",    "??",   "inf",  "infinity", "\u221e", "\u2013",  "\u2014", "over", "ovr", "overflow",
+        "ovld", "nanq", "nans", "#n/a", "#na",      "#nv",    "#n/d",    "#div/0", "#nan"};
     if (cell.empty()) return true;
     if (is_digit(cell.back()) && cell.find('#') == std::string_view::npos) return false;  // the usual number, soon told
     std::string text = lower_case(cell);
     if (std::ranges::find(words, text) != words.end()) return true;
+    const bool is_error = text.size() > 2 && text.front() == '#' && (text.back() == '!' || text.back() == '?');
+    if (is_error) return true;  // of a spreadsheet, in any language: `#DIV/0!`, `#WERT!`, `#NAME?`
     if (text.front() == '+' || text.front() == '-') text.erase(0, 1);
+    const bool is_nan = text.starts_with("nan(") && text.back() == ')';  // with its payload, as C99 prints it
+    if (is_nan || std::ranges::find(words, text) != words.end()) return true;
     if (!text.starts_with("1.#") && !text.starts_with("1,#")) return false;
     const std::string_view kind = std::string_view(text).substr(3, text.find_last_not_of("0123456789") - 2);
     return kind == "qnan" || kind == "snan" || kind == "nan" || kind == "ind" || kind == "inf";
 }
 
 bool is_fill_number(double number) {
-    static constexpr std::array<double, 15> numbers = {-99,    -999,   -9999,  -99999,        -999999,
-                                                       9999,   99999,  999999, -99.9,         -999.9,
-                                                       -99.99, -32768, -32767, -2147483648.0, -9999.9};
+    static constexpr std::array<double, 22> numbers = {
+        -99,   -777,   -888,   -999,   -7777,   -8888,   -9999,  -99999, 9999,   99999, 999999,
+        -99.9, -99.99, -888.8, -999.9, -999.25, -9999.9, -32768, -32767, -32766, 65535, 2147483647.0};
     if (number > -90 && number < 9000) return false;
+    constexpr double below_any_reading = -1e5;
     constexpr double beyond_any_reading = 1e19;
-    return std::abs(number) >= beyond_any_reading || std::ranges::find(numbers, number) != numbers.end();
+    return number <= below_any_reading || number >= beyond_any_reading ||
+           std::ranges::find(numbers, number) != numbers.end();
 }
 
-std::optional<double> take_out_fill_numbers(std::span<double> values) {
+std::optional<double> take_out_fill_numbers(std::span<double> values, std::span<const double> declared) {
     std::optional<double> first;
     for (double& value : values) {
-        if (!is_fill_number(value)) continue;
+        if (!is_fill_number(value) && std::ranges::find(declared, value) == declared.end()) continue;
         if (!first) first = value;
         value = std::numeric_limits<double>::quiet_NaN();
     }
@@ -83,6 +90,8 @@ std::string plain_text(std::string_view text) {
     for (std::size_t i = 0; i < plain.size(); ++i) {  // Latin-1, where no character of UTF-8 ends in it
         const bool alone = i == 0 || static_cast<unsigned char>(plain[i - 1]) < 0x80;
         if (plain[i] == '\xb5' && alone) plain[i] = 'u';
+        const bool ends = i + 1 == plain.size() || static_cast<unsigned char>(plain[i + 1]) < 0x80;
+        if (plain[i] == '\xc5' && alone && ends) plain.replace(i, 1, "angstrom");
     }
     return plain;
 }

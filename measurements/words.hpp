@@ -12,16 +12,16 @@ namespace skinfit {
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// True for text that stands for a number that is not there: nothing at all, NaN, NA, null and their kin, infinities, a
-/// dash, the errors of spreadsheets (`#N/A`, `#DIV/0!`) and what old C libraries of Microsoft print (`1.#QNAN`,
-/// `-1.#IND`), in any case.
+/// dash, an instrument's overflow, the errors of spreadsheets in any language (`#N/A`, `#WERT!`) and what old C
+/// libraries of Microsoft print (`1.#QNAN`, `-1.#IND`), in any case.
 [[nodiscard]] bool is_missing(std::string_view cell);
 
 /// True for a number that programs write where there is none, and that no reading is: -999, -9999 and the like, the
-/// extremes of integers, and anything beyond 1e19 either way, as NetCDF's 9.97e36 or the -1.23e34 of the USGS.
+/// extremes of integers, anything below -1e5, as the -1.23e34 of the USGS, and above 1e19, as NetCDF's 9.97e36.
 [[nodiscard]] bool is_fill_number(double number);
 
-/// Makes such numbers NaN, and gives the first of them.
-std::optional<double> take_out_fill_numbers(std::span<double> values);
+/// Makes such numbers NaN, and those that the file declares to stand for missing values; gives the first of them.
+std::optional<double> take_out_fill_numbers(std::span<double> values, std::span<const double> declared = {});
 
 /// In lower case, with the signs that stand for letters, digits or blanks as these: `\u00b5` as u, `\u207b\u00b9` as
 /// -1,
