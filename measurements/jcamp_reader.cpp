@@ -86,6 +86,12 @@ Spectrum spectrum_of(const JcampBlock& block, const JcampRecord& data, const Rea
     spectrum.geometry = geometry_of(block);
     JcampPoints points = jcamp_points(block, data, form == "(XY..XY)");
     spectrum.doubts = std::move(points.doubts);
+    if (const auto other = unusable_in_prose(block.text("DATAPROCESSING"))) {
+        spectrum.doubts.push_back(
+            {.message = fmt::format("line {}: ##DATA PROCESSING= speaks of {}, and ##YUNITS= is {}",
+                                    block.line_of("DATAPROCESSING"), *other, in_quotes(block.text("YUNITS"))),
+             .remedy = "check that the values are what ##YUNITS= says"});
+    }
     if (points.fill) spectrum.remarks.push_back(fmt::format("readings of {} stand for missing values", *points.fill));
     if (std::ranges::any_of(points.y, [](double y) { return std::isinf(y); })) {
         refuse_jcamp(block.source(), data.line(), "holds a number that is too large", "it exceeds double precision",

@@ -41,7 +41,7 @@ void take_notes(Spectrum& spectrum, const JsonObject& object) {
     for (const auto& [name, value] : object.json.items()) {
         const bool is_known = std::ranges::find(json_names, name) != json_names.end();
         if (is_known || is_taken_list(name, value)) continue;
-        const auto meant = is_understood(name) ? std::nullopt : similar_name(lower_case(name), json_names);
+        const auto meant = is_understood(name, value) ? std::nullopt : similar_name(lower_case(name), json_names);
         if (meant) {
             throw InputError({.where = object.where,
                               .problem = fmt::format("unknown name {}", in_quotes(name)),
@@ -199,6 +199,9 @@ RawSpectrum raw_spectrum(const JsonObject& object, const std::string& source, co
     spectrum.remarks = statements.remarks;
     spectrum.remarks.insert(spectrum.remarks.end(), uncertainty.remarks.begin(), uncertainty.remarks.end());
     spectrum.doubts = contradictions(object, along.numbers);
+    if (!abscissa.is_nm()) {
+        spectrum.remarks.push_back(fmt::format("the wavelengths are converted from {} to nm", abscissa.name));
+    }
     if (!raw.sigma.empty()) {
         spectrum.sigma_source = text(object, "sigma_source");
         if (spectrum.sigma_source.empty()) spectrum.sigma_source = "given by the file";

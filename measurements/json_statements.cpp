@@ -61,15 +61,18 @@ std::vector<NamedWord> words_in(const JsonObject& object) {
     return words;
 }
 
-/// The unit of an abscissa under names such as `start_unit`, `frequency` or `unit_x`.
-std::optional<Abscissa> abscissa_in(const NamedWord& named) {
-    const std::string key = bare_key(named.name);
-    const bool speaks = std::ranges::any_of(
-        std::array{"start", "step", "abscissa", "spectral", "frequency", "wavelength", "wavenumber", "energy"},
-        [&key](std::string_view word) { return key.find(word) != std::string::npos; });
+/// True for names of the unit of an abscissa, as `start_unit`, `frequency` or `unit_x`.
+bool is_of_abscissa(std::string_view name) {
+    const std::string key = bare_key(name);
     const bool of_x =
         key == "x" || key == "unitx" || key == "unitsx" || (key.starts_with("x") && contains(key, "unit"));
-    if ((!speaks && !of_x) || !is_abscissa_name(named.word)) return std::nullopt;
+    return of_x || std::ranges::any_of(std::array{"start", "step", "abscissa", "spectral", "frequency", "wavelength",
+                                                  "wavenumber", "energy"},
+                                       [&key](std::string_view word) { return contains(key, word); });
+}
+
+std::optional<Abscissa> abscissa_in(const NamedWord& named) {
+    if (!is_of_abscissa(named.name) || !is_abscissa_name(named.word)) return std::nullopt;
     const std::optional<Abscissa> stated = abscissa_stated(named.word);
     return stated && stated->named_by_unit ? stated : std::nullopt;
 }
@@ -173,8 +176,10 @@ std::vector<FileDoubt> contradictions(const JsonObject& object, std::span<const 
     return doubts;
 }
 
-bool is_understood(std::string_view name) {
-    return is_statement_key(name) || is_of_missing_values(name) || !extent_of(name).empty();
+bool is_understood(std::string_view name, const Json& value) {
+    const bool is_unit =
+        value.is_string() && abscissa_in({.name = std::string(name), .word = value.get<std::string>()});
+    return is_unit || is_statement_key(name) || is_of_missing_values(name) || !extent_of(name).empty();
 }
 
 }  // namespace skinfit

@@ -39,7 +39,7 @@ inline constexpr std::array<std::string_view, 22> json_names = {
 /// them.
 [[nodiscard]] std::vector<FileDoubt> contradictions(const JsonObject& object, std::span<const double> x);
 
-/// True for names that some of these read: they are no slips of the names above.
-[[nodiscard]] bool is_understood(std::string_view name);
+/// True for names that some of these read, with these values: they are no slips of the names above.
+[[nodiscard]] bool is_understood(std::string_view name, const Json& value);
 
 }  // namespace skinfit

@@ -36,7 +36,10 @@ std::optional<std::string> unusable_in_prose(std::string_view prose) {
     if (contains_one_of(plain, {"reflect", "reflex", "remission", "remitt", "transmi"})) return std::nullopt;
     const auto* const phrase =
         std::ranges::find_if(certain, [&](std::string_view each) { return contains(plain, each); });
-    if (phrase != certain.end()) return std::string(*phrase);
+    if (phrase != certain.end()) {
+        if (phrase->starts_with("log")) return "log(1/R)";
+        return *phrase == "digital n" ? "digital number" : std::string(*phrase);
+    }
     const std::string words = spaced_words(prose);
     const auto* const word = std::ranges::find_if(whole, [&](std::string_view each) { return contains(words, each); });
     if (word == whole.end()) return std::nullopt;
