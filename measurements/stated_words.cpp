@@ -87,11 +87,13 @@ StatedGeometry geometry_stated(std::string_view key, std::string_view value) {
 }
 
 std::optional<Abscissa> abscissa_in_unit(std::string_view unit) {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 5> written_out = {
+        {{"terahertz", "THz"}, {"gigahertz", "GHz"}, {"megahertz", "MHz"}, {"electronvolt", "eV"}, {"millimet", "mm"}}};
     const std::string plain = plain_text(unit);
-    for (const auto& [word, nm] : {std::pair("millimet", 1e6), std::pair("centimet", 1e7)}) {  // as ENVI has them
-        if (plain.find(word) == std::string::npos) continue;
-        return Abscissa{.name = fmt::format("{}res", word), .nm_per_unit = nm, .named_by_unit = true};
+    for (const auto& [word, sign] : written_out) {
+        if (contains(plain, word)) return abscissa_stated(sign);
     }
+    if (contains(plain, "centimet")) return Abscissa{.name = "cm", .nm_per_unit = 1e7, .named_by_unit = true};
     // `m` or `A` alone are units beside the word wavelength only.
     const std::optional<Abscissa> stated = abscissa_stated(fmt::format("wavelength ({})", unit));
     if (!stated || !stated->named_by_unit || !stated->unusable.empty()) return std::nullopt;

@@ -68,14 +68,16 @@ void refuse_settings(const Words& names, const std::string& where) {
     }
 }
 
-/// Tables of R and pandas number their rows in front: 1, 2, 3, ... or 0, 1, 2, ...
+/// Tables of R number their rows in front, without a name for that: 1, 2, 3, ...
 bool is_row_number(const std::string& cell, std::size_t rows_before) {
     return cell == std::to_string(rows_before + 1) || cell == std::to_string(rows_before);
 }
 
 void check_header(const Words& names, const std::string& where) {
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (names[i].empty()) refuse_manifest(where, fmt::format("column {} has no name", i + 1), "it says nothing");
+        const bool in_front = i == 0 && names.size() > 1;  // numbers of rows, as pandas writes them
+        if (names[i].empty() && !in_front)
+            refuse_manifest(where, fmt::format("column {} has no name", i + 1), "it says nothing");
         if (std::ranges::count(names, names[i]) > 1) {
             refuse_manifest(where, fmt::format("names \"{}\" twice", names[i]), "only one could be meant");
         }
@@ -98,7 +100,7 @@ ManifestRow row_of(const Words& names, Words cells, std::size_t rows_before, con
             row.file = cells[i];
         } else if (names[i] == "spectrum") {
             row.selected.spectrum = cells[i];
-        } else {
+        } else if (!names[i].empty()) {
             row.selected.metadata.emplace_back(names[i], cells[i]);
         }
     }
@@ -106,10 +108,10 @@ ManifestRow row_of(const Words& names, Words cells, std::size_t rows_before, con
     return row;
 }
 
-/// The names of the columns; without one of row numbers in front, which has no name.
+/// The names of the columns; that of row numbers in front is empty.
 Words header_of(CellCutter& cutter, std::string_view line, const std::string& where) {
     Words names = words_in(cutter, line);
-    if (names.size() > 1 && (names.front().empty() || names.front() == "Unnamed: 0")) names.erase(names.begin());
+    if (names.front() == "Unnamed: 0") names.front().clear();
     std::ranges::transform(names, names.begin(), column_name);
     check_header(names, where);
     refuse_settings(names, where);
