@@ -144,7 +144,7 @@ TEST_F(EnviStatements, ABandOfZerosWasNotMeasuredWhateverItsOffset) {
                                           .interleave = "bsq",
                                           .data_type = 4,
                                           .more = nm + "data offset values = {0.05, 0.05, 0.05}\n",
-                                          .given = {0, 0, 0.2, 0.3, 0.4, 0.5}});
+                                          .given = {0, 0.2, 0.4, 0, 0.3, 0.5}});
     const Spectrum spectrum = read_envi(find_envi_files(in_folder("a.hdr"))).front();
     EXPECT_EQ(spectrum.wavelength_nm, (Numbers{500, 600}));
     EXPECT_EQ(spectrum.missing_nm, Numbers{400});

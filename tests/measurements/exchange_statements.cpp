@@ -207,10 +207,10 @@ TEST(CgatsStatements, KeywordsAreHeeded) {
 }
 
 TEST(CgatsStatements, UncertaintiesAndFillNumbersAreHeeded) {
-    const Spectrum spectrum =
-        only(cgats("SPECTRAL_NORM 100\n", "ID SPEC_400 SPEC_410 STDEV_400 STDEV_410", "a 10 -9999 1 2\n"));
-    EXPECT_EQ(spectrum.value, Numbers{0.1});
-    EXPECT_EQ(spectrum.sigma, Numbers{0.01});
+    const Spectrum spectrum = only(cgats(
+        "SPECTRAL_NORM 100\n", "ID SPEC_400 SPEC_410 SPEC_420 STDEV_400 STDEV_410 STDEV_420", "a 10 -9999 20 1 2 3"));
+    EXPECT_EQ(spectrum.value, (Numbers{0.1, 0.2}));
+    EXPECT_EQ(spectrum.sigma, (Numbers{0.01, 0.03}));
     EXPECT_EQ(spectrum.missing_nm, Numbers{410});
     EXPECT_EQ(only(cgats("SPECTRAL_NORM 10000\n", "ID SPEC_400 SPEC_410", "a 9999 2500")).value.size(), 2U);
 }
