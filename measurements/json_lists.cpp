@@ -98,7 +98,9 @@ JsonUncertainty uncertainty_in(const JsonObject& object, std::size_t count) {
         found.name = name;
         found.sigma = is_number ? std::vector<double>(count, value.get<double>()) : numbers(object, name, count);
     }
-    (void)take_out_fill_numbers(found.sigma);
+    for (double& sigma : found.sigma) {  // a large one may be meant: nothing is known there
+        if (sigma < 0 && is_fill_number(sigma)) sigma = std::numeric_limits<double>::quiet_NaN();
+    }
     return found;
 }
 
