@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "core/text.hpp"
-#include "measurements/stated_words.hpp"
+#include "measurements/value_statement.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
@@ -47,8 +47,9 @@ constexpr std::array<Prefix, 18> prefixes{{
 struct BandName {
     std::string prefix;
     double nm;
-    std::optional<Unit> unit;
-    std::optional<Quantity> quantity;
+    std::optional<Unit> unit{};
+    std::optional<Quantity> quantity{};
+    std::optional<UncertaintyName> uncertainty{};
 };
 
 std::string_view without_links(std::string_view text) {
@@ -72,10 +73,15 @@ std::optional<BandName> band_named(std::string_view field) {
         if (!known->is_sure && !possible) return std::nullopt;
         return BandName{.prefix = std::string(front), .nm = *nm, .unit = known->unit, .quantity = known->quantity};
     }
+    if (!possible || front.empty()) return std::nullopt;
+    if (const auto uncertainty = uncertainty_named(front); uncertainty && front != "std") {  // STD is a standard
+        return BandName{.prefix = std::string(front), .nm = *nm, .uncertainty = uncertainty};
+    }
     // Words such as SCI, reflectance or spectral_transmittance.
-    const std::optional<Quantity> quantity = quantity_in_title(front);
-    if (!possible || (!quantity && !specular_in_title(front))) return std::nullopt;
-    return BandName{.prefix = std::string(front), .nm = *nm, .unit = std::nullopt, .quantity = quantity};
+    const std::optional<Quantity> quantity = values_stated(front).quantity;
+    const std::string_view written = without_links(field.substr(0, begin));
+    if (!quantity && !specular_stated(written)) return std::nullopt;
+    return BandName{.prefix = std::string(front), .nm = *nm, .quantity = quantity};
 }
 
 /// Takes the exact wavelengths, or says that names and keywords differ.
@@ -137,7 +143,8 @@ std::vector<CgatsBands> cgats_bands(const CgatsTable& table) {
                            .wavelength_nm = {},
                            .wavelength_field = {},
                            .unit = band->unit,
-                           .quantity = band->quantity});
+                           .quantity = band->quantity,
+                           .uncertainty = band->uncertainty});
             bands = std::prev(all.end());
         }
         bands->field.push_back(i);
@@ -146,7 +153,8 @@ std::vector<CgatsBands> cgats_bands(const CgatsTable& table) {
     // Of several, those by which a single field happens to be called are none.
     constexpr std::size_t fewest = 3;
     if (all.size() > 1) std::erase_if(all, [](const CgatsBands& bands) { return bands.field.size() < fewest; });
-    if (all.size() == 1) take_stated_range(table, all.front());
+    const auto of_values = [](const CgatsBands& bands) { return !bands.uncertainty; };
+    if (std::ranges::count_if(all, of_values) == 1) take_stated_range(table, *std::ranges::find_if(all, of_values));
     return all;
 }
 

@@ -2,18 +2,31 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "core/text.hpp"
 #include "measurements/cells.hpp"
+#include "measurements/file_statements.hpp"
 #include "measurements/stated_words.hpp"
+#include "measurements/value_statement.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
 namespace {
 
+/// Keywords that say what the values are.
+bool is_of_values(std::string_view name) {
+    static constexpr std::array<std::string_view, 6> names = {"MEAS_TYPE",     "MEASUREMENT_MODE", "SPECTRAL_TYPE",
+                                                              "SPECTRAL_UNIT", "SPECTRAL_UNITS",   "DEVICE_CLASS"};
+    return is_ordinate_key(name) || std::ranges::find(names, name) != names.end();
+}
+
 std::optional<Quantity> quantity_of(const CgatsTable& table, const CgatsBands& bands) {
     if (bands.quantity) return bands.quantity;
-    for (const std::string_view name : {"MEAS_TYPE", "MEASUREMENT_TYPE", "MEASUREMENT_MODE", "SPECTRAL_TYPE"}) {
-        if (const auto named = quantity_in_title(table.keyword(name))) return named;
+    for (const auto& [name, keyword] : table.keywords) {
+        if (!is_of_values(name)) continue;
+        if (const auto named = values_stated_by_letter(keyword.value).quantity) return named;
     }
     return std::nullopt;
 }
@@ -22,17 +35,16 @@ std::optional<Quantity> quantity_of(const CgatsTable& table, const CgatsBands& b
 Geometry geometry_of(const CgatsTable& table, const CgatsBands& bands, std::span<const CgatsToken> cells) {
     Geometry geometry;
     for (const auto& [name, keyword] : table.keywords) {
-        if (name.find("GEOM") == std::string::npos && name.find("SPECULAR") == std::string::npos) continue;
-        const StatedGeometry stated = geometry_in_title(name + " " + keyword.value);
+        if (!contains(name, "GEOM") && !contains(name, "SPECULAR") && !is_of_values(name)) continue;
+        const StatedGeometry stated = geometry_stated(name, keyword.value);
         if (stated.incidence_deg) geometry.incidence_deg = stated.incidence_deg;
         if (stated.specular) geometry.specular = stated.specular;
     }
     for (std::size_t i = 0; i < cells.size(); ++i) {
         if (parse_number(cells[i].text)) continue;
-        const auto stated = specular_in_title(fmt::format("{} {}", table.fields[i].text, cells[i].text));
-        if (stated) geometry.specular = stated;
+        if (const auto stated = specular_stated(table.fields[i].text, cells[i].text)) geometry.specular = stated;
     }
-    if (const auto stated = specular_in_title(bands.prefix)) geometry.specular = stated;
+    if (const auto stated = specular_stated(bands.prefix)) geometry.specular = stated;
     return geometry;
 }
 
@@ -75,16 +87,20 @@ void take_notes(Spectrum& spectrum, const CgatsTable& table, std::span<const Cga
 }  // namespace
 
 void refuse_other_quantities(const CgatsTable& table, const std::string& source) {
-    for (const std::string_view name : {"MEAS_TYPE", "MEASUREMENT_TYPE", "MEASUREMENT_MODE", "SPECTRAL_TYPE",
-                                        "SPECTRAL_UNIT", "SPECTRAL_UNITS", "DATA_TYPE", "DEVICE_CLASS"}) {
-        const auto found = table.keywords.find(name);
-        if (found == table.keywords.end()) continue;
-        const std::string value = lower_case(found->second.value);
-        const bool shines = value.starts_with("display") || value.starts_with("ambient") || value.starts_with("emiss");
-        const std::optional<std::string> other =
-            shines ? std::optional<std::string>("emission") : unusable_quantity(value);
+    for (const auto& [name, keyword] : table.keywords) {
+        const std::string value = lower_case(keyword.value);
+        const bool prose = name == "DESCRIPTOR" || name == "FILE_DESCRIPTOR";
+        if (!prose && !is_of_values(name)) continue;
+        std::optional<std::string> other;
+        if (prose) {
+            other = unusable_in_prose(value);
+        } else if (value.starts_with("display") || value.starts_with("ambient") || value.starts_with("emiss")) {
+            other = "emission";
+        } else if (value.starts_with("density") || !values_stated_by_letter(value).unusable.empty()) {
+            other = value;
+        }
         if (!other) continue;
-        refuse_cgats(source, found->second.line, fmt::format("{} is {}", name, in_quotes(found->second.value)),
+        refuse_cgats(source, keyword.line, fmt::format("{} is {}", name, in_quotes(keyword.value)),
                      fmt::format("{} is no reflectance or transmittance", *other), remedy_for(*other));
     }
 }

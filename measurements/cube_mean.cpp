@@ -46,9 +46,9 @@ bool is_complete(std::span<const double> spectrum, const std::vector<std::size_t
     return std::ranges::none_of(needed, [&](std::size_t band) { return std::isnan(spectrum[band]); });
 }
 
-/// True for a band that was 0 in every pixel.
-bool is_dead(const Sums& sums, std::size_t band) {
-    return sums.origin[band] == 0 && sums.square[band] == 0;
+/// True for a band whose number was 0 in every pixel, whatever its offset makes of it.
+bool is_dead(const Sums& sums, const SpectralCube& cube, std::size_t band) {
+    return sums.origin[band] == cube.fraction_of_zero(band) && sums.square[band] == 0;
 }
 
 /// The places of the wavelengths in the window; of all where it has none.
@@ -61,13 +61,14 @@ std::vector<std::size_t> places_in(const WavelengthWindow& window, const std::ve
     return used.empty() ? all : used;
 }
 
-std::vector<double> standard_uncertainty(const Sums& sums, const std::vector<std::size_t>& needed) {
+std::vector<double> standard_uncertainty(const Sums& sums, const SpectralCube& cube,
+                                         const std::vector<std::size_t>& needed) {
     std::vector<double> sigma;
     for (std::size_t i = 0; i < sums.origin.size(); ++i) {
         const auto n = static_cast<double>(sums.count[i]);
         const double squares_about_mean = sums.square[i] - sums.difference[i] * sums.difference[i] / n;
         const bool is_known = squares_about_mean > 0;
-        if (!is_known && !is_dead(sums, i) && std::ranges::binary_search(needed, i)) return {};
+        if (!is_known && !is_dead(sums, cube, i) && std::ranges::binary_search(needed, i)) return {};
         sigma.push_back(is_known ? std::sqrt(squares_about_mean / (n - 1) / n)
                                  : std::numeric_limits<double>::quiet_NaN());
     }
@@ -111,9 +112,9 @@ CubeMean mean_spectrum(const SpectralCube& cube, const CubeRegion& region, const
     CubeMean mean{.value = sums.origin, .sigma = {}, .pixels = sums.pixels, .masked = masked, .incomplete = incomplete};
     for (std::size_t i = 0; i < bands; ++i) {
         mean.value[i] += sums.difference[i] / static_cast<double>(sums.count[i]);
-        if (is_dead(sums, i)) mean.value[i] = std::numeric_limits<double>::quiet_NaN();
+        if (is_dead(sums, cube, i)) mean.value[i] = std::numeric_limits<double>::quiet_NaN();
     }
-    if (sums.pixels > 1) mean.sigma = standard_uncertainty(sums, needed);
+    if (sums.pixels > 1) mean.sigma = standard_uncertainty(sums, cube, needed);
     return mean;
 }
 

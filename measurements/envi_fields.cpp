@@ -59,6 +59,20 @@ std::vector<std::string> cells_in(std::string_view list) {
     return cells;
 }
 
+/// A cell of numbers with units, without quotes and taken apart; the cell of a plain number has no unit.
+struct NumberWithUnit {
+    std::optional<double> number;
+    std::string unit;
+};
+
+NumberWithUnit taken_apart(std::string cell) {
+    std::erase_if(cell, [](char c) { return c == '"' || c == '\''; });
+    if (const std::optional<double> plain = parse_number(trimmed(cell))) return {.number = plain, .unit = {}};
+    const std::string_view text = trimmed(cell);
+    const std::size_t size = std::min(text.find_first_not_of("0123456789.+-"), text.size());
+    return {.number = parse_number(text.substr(0, size)), .unit = std::string(trimmed(text.substr(size)))};
+}
+
 }  // namespace
 
 EnviFields::EnviFields(std::string_view text, const std::string& source) : source_(source) {
@@ -140,7 +154,7 @@ std::optional<double> EnviFields::number(const std::string& key) const {
     return value;
 }
 
-std::vector<double> EnviFields::numbers(const std::string& key, std::size_t size) const {
+std::vector<double> EnviFields::numbers(const std::string& key, std::size_t size, std::string* unit) const {
     const std::optional<EnviField> field = find(key);
     if (!field) return {};
     const std::vector<std::string> cells = cells_in(field->value);
@@ -154,8 +168,10 @@ std::vector<double> EnviFields::numbers(const std::string& key, std::size_t size
     }
     std::vector<double> values;
     for (const std::string& cell : cells) {
-        const std::optional<double> value = parse_number(cell);
-        if (!value || !std::isfinite(*value)) {
+        const NumberWithUnit found = unit != nullptr ? taken_apart(cell) : NumberWithUnit{parse_number(cell), {}};
+        const std::optional<double>& value = found.number;
+        if (unit != nullptr && values.empty()) *unit = found.unit;
+        if (!value || !std::isfinite(*value) || (unit != nullptr && found.unit != *unit)) {
             throw InputError(
                 {.where = where,
                  .problem = fmt::format("number {} of {} is {}", values.size() + 1, in_quotes(key), in_quotes(cell)),

@@ -38,8 +38,10 @@ public:
     [[nodiscard]] std::optional<double> number(const std::string& key) const;
 
     /// The field as a list of `size` finite numbers, between commas or, where there are none, blanks; empty where it is
-    /// not given.
-    [[nodiscard]] std::vector<double> numbers(const std::string& key, std::size_t size) const;
+    /// not given. Where `unit` is not null, a word may stand behind each, the same in all as in `"400 nm"`, and is put
+    /// there.
+    [[nodiscard]] std::vector<double> numbers(const std::string& key, std::size_t size,
+                                              std::string* unit = nullptr) const;
 
     /// All keys with their fields, by the alphabet.
     [[nodiscard]] const std::multimap<std::string, EnviField, std::less<>>& all() const { return fields_; }

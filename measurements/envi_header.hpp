@@ -45,6 +45,7 @@ struct EnviHeader {
     std::vector<double> gain;          ///< one per band; empty where not given: 1
     std::vector<double> data_offset;   ///< one per band, added after the gain; empty where not given: 0
     std::optional<Quantity> quantity;  ///< where the header says so
+    Geometry geometry;                 ///< as far as the header says so
     bool percent = false;              ///< the header calls the values percent
     /// Where the header says that the values are no shares of light: the field, and the word there.
     std::optional<EnviStatement> other_quantity;
@@ -81,10 +82,12 @@ struct EnviHeader {
 /// not named above whose words are those of a conversion (scale, gain, offset, unit, ...) make a remark; others are
 /// not read.
 ///
-/// Unit of the wavelengths: `wavelength units`, a unit of length, of frequency or 1/cm; where it is not given or
-/// unknown, micrometres if no wavelength exceeds 10 and nanometres if some does.
+/// Unit of the wavelengths: `wavelength units`, a unit of length, of frequency or 1/cm, or behind each wavelength;
+/// where it is not given or unknown, that in the first of the `z plot titles`, else micrometres if no wavelength
+/// exceeds 10 and nanometres if some does.
 ///
-/// Quantity: `z plot titles`, `data units`, `product type` and `description`.
+/// Quantity and geometry: `z plot titles`, `data units` and their like, `product type` and `description`; where none of
+/// them says anything, names of bands that differ in numbers alone.
 ///
 /// Throws InputError, naming the line, for a key that is missing, given twice or malformed, lists that do not have one
 /// number per band, wavelengths that are band numbers, data that are complex, compressed, with frame offsets, or in a

@@ -124,6 +124,7 @@ Spectrum common_spectrum(const SpectralCube& cube) {
     spectrum.instrument = cube.header().sensor_type;
     spectrum.unit_rule = cube.unit_rule();
     spectrum.quantity = cube.header().quantity;
+    spectrum.geometry = cube.header().geometry;
     spectrum.wavelength_nm = cube.wavelength_nm();
     for (std::size_t i = 1; i < cube.bands().size(); ++i) {
         if (spectrum.wavelength_nm[i] != spectrum.wavelength_nm[i - 1]) continue;

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/text.hpp"
-#include "measurements/stated_words.hpp"
+#include "measurements/envi_quantity.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
@@ -57,47 +57,16 @@ void read_scale_factor(const EnviFields& fields, EnviHeader& header) {
     }
 }
 
-void read_quantity(const EnviFields& fields, EnviHeader& header) {
-    struct Place {
-        std::string key;
-        bool in_prose;
-    };
-    for (const Place& place : {Place{"data units", false}, Place{"z plot titles", false}, Place{"units", false},
-                               Place{"measurement type", false}, Place{"quantity", false}, Place{"product type", true},
-                               Place{"description", true}}) {
-        const std::optional<EnviField> field = fields.find(place.key);
-        if (!field) continue;
-        std::string_view text = field->value;
-        // The first of two titles is that of the wavelengths.
-        if (place.key == "z plot titles" && text.find(',') != std::string_view::npos) {
-            text = text.substr(text.find(',') + 1);
-        }
-        const auto other = place.in_prose ? unusable_quantity_in_prose(text) : unusable_quantity(text);
-        if (other && !header.other_quantity) {
-            header.other_quantity = {.line = field->line,
-                                     .key = place.key,
-                                     .value = std::string(field->value),
-                                     .word = *other,
-                                     .in_prose = place.in_prose};
-        }
-        if (!header.quantity) header.quantity = quantity_in_title(text);
-        header.percent = header.percent || (!place.in_prose && says_percent(text));
-    }
-}
-
 /// Keys with words of a conversion that are not among those read.
 void remark_on_unread(const EnviFields& fields, EnviHeader& header) {
-    static constexpr std::array<std::string_view, 13> read = {"header offset",
+    static constexpr std::array<std::string_view, 10> read = {"header offset",
                                                               "x start",
                                                               "data gain values",
                                                               "data offset values",
                                                               "data ignore value",
-                                                              "data units",
                                                               "wavelength units",
                                                               "data reflectance gain values",
                                                               "reflectance scale factor",
-                                                              "units",
-                                                              "z plot titles",
                                                               "data reflectance offset values",
                                                               "default stretch"};
     static constexpr std::array<std::string_view, 10> words = {
@@ -105,7 +74,8 @@ void remark_on_unread(const EnviFields& fields, EnviHeader& header) {
     for (const auto& [key, field] : fields.all()) {
         const bool converts =
             std::ranges::any_of(words, [&key](std::string_view word) { return key.find(word) != std::string::npos; });
-        if (!converts || std::ranges::find(read, key) != read.end() || field.value.empty()) continue;
+        if (!converts || std::ranges::find(read, key) != read.end() || is_envi_quantity_key(key) || field.value.empty())
+            continue;
         if (key.find("map") != std::string::npos || key.find("geo") != std::string::npos) continue;
         const std::string message = fmt::format("line {} of the header, {} = {}, is not understood and not applied",
                                                 field.line, in_quotes(key), in_quotes(field.value));
@@ -125,7 +95,7 @@ void remark_on_unread(const EnviFields& fields, EnviHeader& header) {
 void read_envi_scale(const EnviFields& fields, EnviHeader& header) {
     read_gains(fields, header);
     read_scale_factor(fields, header);
-    read_quantity(fields, header);
+    read_envi_quantity(fields, header);
     remark_on_unread(fields, header);
 }
 

@@ -38,6 +38,7 @@ public:
     [[nodiscard]] double number(std::string_view label, std::optional<double> otherwise = {}) const;
     /// The line of the record, or of ##TITLE where there is none.
     [[nodiscard]] std::size_t line_of(std::string_view label) const;
+    [[nodiscard]] const std::map<std::string, JcampRecord, std::less<>>& records() const { return records_; }
     [[nodiscard]] const std::string& source() const { return source_; }
     [[nodiscard]] JcampRecord& add(const std::string& label) { return records_[label]; }
 

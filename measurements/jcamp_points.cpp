@@ -46,7 +46,10 @@ void check_abscissa(const JcampBlock& block, const JcampTextLine& line, double f
                     double factor) {
     if (std::abs(found - expected) <= 1.01 * std::abs(step) + std::abs(factor)) return;
     refuse_jcamp(block.source(), line.number, fmt::format("starts at {}, not {}", found, expected),
-                 "the points before it are too few or too many", "check that the file is complete and unchanged");
+                 fmt::format("the points before it are too few or too many for ##NPOINTS= {} from ##FIRSTX= {} to "
+                             "##LASTX= {}",
+                             block.text("NPOINTS"), block.text("FIRSTX"), block.text("LASTX")),
+                 "check that the file is complete and unchanged");
 }
 
 /// The first line starts at ##FIRSTX=, but for the rounding of an abscissa without decimals.
@@ -134,6 +137,23 @@ bool has_commas_in_numbers(const JcampRecord& data) {
                                [](const JcampTextLine& line) { return with_decimal_points(line.text) != line.text; });
 }
 
+/// Makes NaN of what programs write where there is no reading, before multiplication by `factor` or after. Whole
+/// numbers such as -999 are readings where the factor makes noise of them.
+void take_out_missing(JcampPoints& points, double factor) {
+    constexpr double lowest = -0.5;    // chosen: no noise of a fraction, nor of percent that would be one such number
+    constexpr double highest = 150.0;  // percent
+    for (double& value : points.y) {
+        if (!std::isfinite(value)) continue;
+        const double written = value / factor;
+        const double whole = std::round(written);
+        const bool is_whole = std::abs(written - whole) <= 1e-9 * std::abs(whole);
+        const bool is_fill = is_fill_number(value) || is_fill_number(is_whole ? whole : written);
+        if (!is_fill || (value >= lowest && value <= highest)) continue;
+        if (!points.fill) points.fill = is_whole ? whole : written;
+        value = std::numeric_limits<double>::quiet_NaN();
+    }
+}
+
 /// The number of a record that only checks the data: without one it checks nothing.
 std::optional<double> stated_number(const JcampRecord* record) {
     if (record == nullptr) return std::nullopt;
@@ -161,7 +181,7 @@ double rounding_of(std::string_view text) {
 std::optional<FileDoubt> contradiction(const JcampBlock& block, const Statement& statement) {
     const JcampRecord* const record = block.record(statement.label);
     const std::optional<double> stated = stated_number(record);
-    if (!stated || !std::isfinite(statement.found)) return std::nullopt;
+    if (!stated || !std::isfinite(statement.found) || is_fill_number(*stated)) return std::nullopt;
     constexpr double single_precision = 1e-5;  // chosen: a hundred times its rounding
     const auto agrees = [&](double number, double grain) {
         const double allowed = rounding_of(record->value()) + grain + single_precision * std::abs(number);
@@ -233,6 +253,7 @@ JcampPoints jcamp_points(const JcampBlock& block, const JcampRecord& data, bool 
         }
         if (points.x.empty()) throw;
     }
+    take_out_missing(points, writing.y_factor);
     check_statements(block, points, writing.y_factor);
     if (!in_pairs) check_step(block, points);
     return points;

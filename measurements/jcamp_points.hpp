@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "measurements/jcamp_blocks.hpp"
@@ -11,6 +12,7 @@ namespace skinfit {
 struct JcampPoints {
     std::vector<double> x;
     std::vector<double> y;          ///< NaN where one is missing
+    std::optional<double> fill{};   ///< a number of the file that stands for missing ordinates, where there is one
     std::vector<FileDoubt> doubts;  ///< where records of the block contradict the points
 };
 

@@ -7,6 +7,7 @@
 #include "core/input_error.hpp"
 #include "core/text.hpp"
 #include "measurements/cells.hpp"
+#include "measurements/file_statements.hpp"
 #include "measurements/jcamp_blocks.hpp"
 #include "measurements/jcamp_points.hpp"
 #include "measurements/left_out.hpp"
@@ -14,34 +15,48 @@
 #include "measurements/readers.hpp"
 #include "measurements/spectrum_building.hpp"
 #include "measurements/stated_words.hpp"
+#include "measurements/value_statement.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
 namespace {
 
 /// The wavelengths that abscissas in XUNITS stand for.
-std::vector<double> wavelengths(const JcampBlock& block, std::vector<double> x) {
-    const std::optional<AbscissaUnit> unit = abscissa_unit(block.text("XUNITS"));
+std::vector<double> wavelengths(const JcampBlock& block, const std::vector<double>& x) {
+    const std::optional<Abscissa> unit = abscissa_in_unit(block.text("XUNITS"));
     if (!unit) {
         refuse_jcamp(block.source(), block.line_of("XUNITS"),
                      fmt::format("##XUNITS= is {}", in_quotes(block.text("XUNITS"))),
                      "it must be a unit of wavelengths such as NANOMETERS or MICROMETERS, 1/CM, or a unit of frequency",
                      "correct it, or export the spectrum again");
     }
-    for (double& value : x) value = unit->wavelength_nm(value);
-    return x;
+    return wavelengths_nm(*unit, x);
 }
 
 Quantity quantity_of(const JcampBlock& block) {
     const std::string unit = block.text("YUNITS");
-    if (const std::optional<std::string> other = unusable_quantity(unit)) {
-        refuse_jcamp(block.source(), block.line_of("YUNITS"), fmt::format("##YUNITS= is {}", in_quotes(unit)),
-                     "only REFLECTANCE and TRANSMITTANCE are spectra that can be used", remedy_for(*other));
-    }
-    if (const auto named = quantity_in_title(unit)) return *named;
+    const ValueStatement stated = values_stated_by_letter(unit);
+    if (stated.quantity) return *stated.quantity;
     refuse_jcamp(block.source(), block.line_of("YUNITS"), fmt::format("##YUNITS= is {}", in_quotes(unit)),
                  "only REFLECTANCE and TRANSMITTANCE are spectra that can be used",
-                 "export the spectrum again as one of these, or set ##YUNITS= REFLECTANCE if that is what it holds");
+                 stated.unusable.empty() ? "export the spectrum again as one of these, or set ##YUNITS= REFLECTANCE if "
+                                           "that is what it holds"
+                                         : remedy_for(unit));
+}
+
+/// By records such as ##SAMPLING PROCEDURE=, ##$SPECULAR= or ##$GEOMETRY=, else by the title.
+Geometry geometry_of(const JcampBlock& block) {
+    Geometry geometry;
+    for (const auto& [label, record] : block.records()) {
+        const bool speaks = label == "SAMPLINGPROCEDURE" || contains(label, "SPECULAR") ||
+                            contains(label, "GEOMETRY") || is_ordinate_key(label);
+        if (!speaks) continue;
+        const StatedGeometry stated = geometry_stated(label, record.value());
+        if (stated.incidence_deg) geometry.incidence_deg = stated.incidence_deg;
+        if (stated.specular) geometry.specular = stated.specular;
+    }
+    if (!geometry.specular) geometry.specular = specular_stated(block.text("TITLE"));
+    return geometry;
 }
 
 void refuse_other_data(const JcampBlock& block) {
@@ -68,11 +83,16 @@ Spectrum spectrum_of(const JcampBlock& block, const JcampRecord& data, const Rea
     spectrum.line = data.line();
     spectrum.quantity = quantity_of(block);
     spectrum.instrument = block.text("SPECTROMETERDATASYSTEM");
-    const StatedGeometry geometry = geometry_in_title(block.text("SAMPLINGPROCEDURE"));
-    spectrum.geometry = {.incidence_deg = geometry.incidence_deg, .specular = geometry.specular};
-    if (!geometry.specular) spectrum.geometry.specular = specular_in_title(spectrum.name);
+    spectrum.geometry = geometry_of(block);
     JcampPoints points = jcamp_points(block, data, form == "(XY..XY)");
     spectrum.doubts = std::move(points.doubts);
+    if (const auto other = unusable_in_prose(block.text("DATAPROCESSING"))) {
+        spectrum.doubts.push_back(
+            {.message = fmt::format("line {}: ##DATA PROCESSING= speaks of {}, and ##YUNITS= is {}",
+                                    block.line_of("DATAPROCESSING"), *other, in_quotes(block.text("YUNITS"))),
+             .remedy = "check that the values are what ##YUNITS= says"});
+    }
+    if (points.fill) spectrum.remarks.push_back(fmt::format("readings of {} stand for missing values", *points.fill));
     if (std::ranges::any_of(points.y, [](double y) { return std::isinf(y); })) {
         refuse_jcamp(block.source(), data.line(), "holds a number that is too large", "it exceeds double precision",
                      "correct it or ##YFACTOR=");

@@ -8,46 +8,25 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <span>
+#include <utility>
 
 #include "core/geometry.hpp"
 #include "core/input_error.hpp"
 #include "core/json.hpp"
 #include "core/text.hpp"
-#include "measurements/file_statements.hpp"
+#include "measurements/json_lists.hpp"
 #include "measurements/json_object.hpp"
+#include "measurements/json_statements.hpp"
 #include "measurements/limits.hpp"
 #include "measurements/readers.hpp"
 #include "measurements/spectrum_building.hpp"
+#include "measurements/stated_words.hpp"
+#include "measurements/value_statement.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
 namespace {
-
-/// Names with a meaning; any other is a note.
-constexpr std::array<std::string_view, 22> known = {
-    "name",         "wavelength_nm", "start",          "step",
-    "value",        "values",        "sigma",          "unit",
-    "quantity",     "incidence_deg", "specular",       "viewing_cone_deg",
-    "instrument",   "site",          "aperture_mm",    "repeats",
-    "sigma_source", "missing_nm",    "bandpass_shape", "bandpass_width_nm",
-    "notes",        "missing"};
-
-/// `wavelength_nm`, or as many as there are values from `start` on by `step`.
-std::vector<double> wavelengths(const JsonObject& object, std::size_t count) {
-    if (object.find("wavelength_nm") != nullptr) return numbers(object, "wavelength_nm", count);
-    const std::optional<double> start = number(object, "start", {0, wavelength_range_nm.highest});
-    const std::optional<double> step =
-        number(object, "step", {-wavelength_range_nm.highest, wavelength_range_nm.highest});
-    if (!start || !step) {
-        throw InputError({.where = object.where,
-                          .problem = "has no wavelengths",
-                          .why = "wavelength_nm, or start and step in nm, give them",
-                          .remedy = fmt::format("add them; {}", json_example)});
-    }
-    std::vector<double> found;
-    for (std::size_t i = 0; i < count; ++i) found.push_back(*start + *step * static_cast<double>(i));
-    return found;
-}
 
 /// `notes`, a list of pairs, and all names without a meaning of their own.
 void take_notes(Spectrum& spectrum, const JsonObject& object) {
@@ -60,8 +39,10 @@ void take_notes(Spectrum& spectrum, const JsonObject& object) {
         }
     }
     for (const auto& [name, value] : object.json.items()) {
-        if (std::ranges::find(known, name) != known.end()) continue;
-        if (const auto meant = similar_name(lower_case(name), known)) {
+        const bool is_known = std::ranges::find(json_names, name) != json_names.end();
+        if (is_known || is_taken_list(name, value)) continue;
+        const auto meant = is_understood(name, value) ? std::nullopt : similar_name(lower_case(name), json_names);
+        if (meant) {
             throw InputError({.where = object.where,
                               .problem = fmt::format("unknown name {}", in_quotes(name)),
                               .why = "it would have no effect",
@@ -72,22 +53,53 @@ void take_notes(Spectrum& spectrum, const JsonObject& object) {
     }
 }
 
-/// What names without a meaning of their own state, as comments of text files do.
-FileStatements statements_of(const JsonObject& object) {
-    std::vector<std::string> texts;
-    for (const auto& [name, value] : object.json.items()) {
-        if (std::ranges::find(known, name) != known.end() || !(value.is_string() || value.is_number())) continue;
-        texts.push_back(fmt::format("{}: {}", name, value.is_string() ? value.get<std::string>() : value.dump()));
+/// The words of `name` where they are none of its own: what they state of the values.
+ValueStatement stated_under(const JsonObject& object, std::string_view name) {
+    const Json* const value = object.find(name);
+    return value != nullptr && value->is_string() ? values_stated_by_letter(value->get<std::string>())
+                                                  : ValueStatement{};
+}
+
+/// What the values are, in other words than those of `convert` too.
+void take_quantity(Spectrum& spectrum, const JsonObject& object, const FileStatements& statements,
+                   const std::string& values_name) {
+    const ValueStatement stated = stated_under(object, "quantity");
+    const ValueStatement by_unit = stated_under(object, "unit");
+    std::string unusable = stated.unusable.empty() ? by_unit.unusable : stated.unusable;
+    if (unusable.empty() && !stated.quantity) {
+        spectrum.quantity = word<Quantity>(object, "quantity", quantity_names);
+        for (const ValueStatement& each :
+             {by_unit, values_stated_by_letter(values_name), statements.values, values_stated(spectrum.name)}) {
+            if (!spectrum.quantity) spectrum.quantity = each.quantity;
+        }
+        if (!object.find("quantity") && !statements.values.unusable.empty()) unusable = statements.values.unusable;
+        if (!spectrum.quantity && unusable.empty()) unusable = unusable_in_prose(spectrum.name).value_or("");
+    } else {
+        spectrum.quantity = stated.quantity;
     }
-    std::vector<Comment> comments;
-    for (const std::string& each : texts) comments.push_back({.line = 0, .text = each});
-    return statements_in(object.where, comments, {});
+    if (!unusable.empty()) {
+        spectrum.unusable = fmt::format("{} is neither reflectance nor transmittance", in_quotes(unusable));
+    }
+}
+
+std::optional<Unit> unit_in(const JsonObject& object) {
+    const ValueStatement stated = stated_under(object, "unit");
+    if (stated.unit || !stated.unusable.empty() || stated.quantity) return stated.unit;
+    return word<Unit>(object, "unit", unit_names);
+}
+
+std::optional<Specular> specular_in(const JsonObject& object) {
+    const Json* const value = object.find("specular");
+    if (value != nullptr && value->is_string()) {
+        if (const auto stated = specular_stated("specular", value->get<std::string>())) return stated;
+    }
+    if (value != nullptr && value->is_boolean()) return value->get<bool>() ? Specular::included : Specular::excluded;
+    return word<Specular>(object, "specular", specular_names);
 }
 
 void take_description(Spectrum& spectrum, const JsonObject& object) {
-    spectrum.quantity = word<Quantity>(object, "quantity", quantity_names);
     spectrum.geometry.incidence_deg = number(object, "incidence_deg", incidence_range_deg);
-    spectrum.geometry.specular = word<Specular>(object, "specular", specular_names);
+    spectrum.geometry.specular = specular_in(object);
     spectrum.geometry.viewing_cone_deg = number(object, "viewing_cone_deg", viewing_cone_range_deg);
     spectrum.instrument = text(object, "instrument");
     spectrum.site = text(object, "site");
@@ -104,128 +116,140 @@ void take_description(Spectrum& spectrum, const JsonObject& object) {
     take_notes(spectrum, object);
 }
 
-/// The readings of the same specimen, in the order of the grid, without the wavelengths whose value is missing; NaN
-/// where a reading has none.
-void take_repeats(Spectrum& spectrum, const JsonObject& object, const Grid& grid, const std::vector<double>& value,
-                  double scale) {
+/// A spectrum before the unit of its file is known.
+struct RawSpectrum {
+    Spectrum spectrum;
+    Grid grid;
+    std::vector<double> value;                 ///< as in the file's order, multiplied by its factor; NaN where missing
+    std::vector<double> sigma;                 ///< likewise; empty where not given
+    std::vector<std::vector<double>> repeats;  ///< likewise
+    std::optional<Unit> unit;                  ///< under that name
+    std::optional<Unit> named;                 ///< stated otherwise
+    std::size_t missing;                       ///< by `missing`
+    std::vector<double> missing_nm;            ///< likewise
+};
+
+std::vector<std::vector<double>> repeats_in(const JsonObject& object, std::size_t count) {
     const Json* const repeats = object.find("repeats");
-    if (repeats == nullptr) return;
+    if (repeats == nullptr) return {};
     if (!repeats->is_array()) refuse_json(object, "repeats", *repeats, "a list of lists of numbers is needed");
+    std::vector<std::vector<double>> all;
     for (const Json& repeat : *repeats) {
-        const std::vector<double> found = numbers(object, "repeats", repeat);
-        if (found.size() != value.size()) {
-            refuse_json(object, "repeats", repeat,
-                        fmt::format("it has {} numbers for {} wavelengths", found.size(), value.size()));
-        }
-        std::vector<double>& readings = spectrum.repeats.emplace_back();
-        for (const std::size_t i : grid.order) {
-            if (std::isnan(value[i])) continue;
-            readings.push_back(found[i] / scale);
-        }
+        all.push_back(numbers(object, "repeats", repeat));
+        if (all.back().size() == count) continue;
+        refuse_json(object, "repeats", repeat,
+                    fmt::format("it has {} numbers for {} wavelengths", all.back().size(), count));
     }
+    return all;
 }
 
-/// `percent_in` is another spectrum of the list that is in percent; empty where none is.
-Spectrum spectrum_of(const JsonObject& object, const std::string& source, const std::string& default_name,
-                     const ReadOptions& options, const std::string& percent_in = {}) {
+/// Makes NaN of numbers that stand for missing ones, with a remark, and multiplies the others.
+void clean(RawSpectrum& raw, std::span<const double> declared, double factor) {
+    std::optional<double> fill;
+    const auto take = [&](std::vector<double>& values) {
+        for (double& value : values) {
+            if (std::ranges::find(declared, value) == declared.end()) continue;
+            if (!fill) fill = value;
+            value = std::numeric_limits<double>::quiet_NaN();
+        }
+        const std::optional<double> found = take_out_fill_numbers(values);
+        if (!fill) fill = found;
+        for (double& value : values) value *= factor;
+    };
+    take(raw.value);
+    for (std::vector<double>& repeat : raw.repeats) take(repeat);
+    for (double& each : raw.sigma) each *= factor;
+    if (fill) raw.spectrum.remarks.push_back(fmt::format("readings of {} stand for missing values", *fill));
+}
+
+RawSpectrum raw_spectrum(const JsonObject& object, const std::string& source, const std::string& default_name) {
     if (!object.json.is_object()) {
         throw InputError({.where = object.where,
                           .problem = fmt::format("{} is no object", shown(object.json)),
                           .why = "a spectrum has names and values",
                           .remedy = fmt::format("correct it; {}", json_example)});
     }
-    const std::string_view values_name = object.find("values") != nullptr ? "values" : "value";
-    const Json* const values = object.find(values_name);
-    if (values == nullptr || (object.find("values") != nullptr && object.find("value") != nullptr)) {
-        throw InputError({.where = object.where,
-                          .problem = values == nullptr ? "has no values" : "has both value and values",
-                          .why = "one list of numbers is needed, called value or values",
-                          .remedy = fmt::format("correct it; {}", json_example)});
-    }
-    const FileStatements statements = statements_of(object);
-    std::vector<double> value = numbers(object, values_name, *values);
-    std::vector<double> sigma = numbers(object, "sigma", value.size());
-    const std::optional<double> fill = take_out_fill_numbers(value);
-    for (double& each : value) each *= statements.factor;
-    for (double& each : sigma) each *= statements.factor;
-    const Abscissa abscissa = statements.abscissa.value_or(Abscissa{});
+    const FileStatements statements = statements_in(object);
+    const JsonValues values = values_in(object);
+    const JsonAbscissa along = abscissa_in(object, values.numbers.size());
+    JsonUncertainty uncertainty = uncertainty_in(object, values.numbers.size());
+    const Abscissa abscissa = along.stated ? *along.stated : statements.abscissa.value_or(Abscissa{});
     refuse_unusable(abscissa, object.where);
-    const Grid grid = make_grid(wavelengths_nm(abscissa, wavelengths(object, value.size())), [&](std::size_t i) {
-        return GridPlace{.where = object.where, .which = fmt::format("number {}", i + 1)};
-    });
-    Spectrum spectrum;
+    RawSpectrum raw{
+        .spectrum = {},
+        .grid = make_grid(
+            wavelengths_nm(abscissa, along.numbers),
+            [&](std::size_t i) { return GridPlace{.where = object.where, .which = fmt::format("number {}", i + 1)}; }),
+        .value = values.numbers,
+        .sigma = std::move(uncertainty.sigma),
+        .repeats = repeats_in(object, values.numbers.size()),
+        .unit = unit_in(object),
+        .named = statements.values.unit,
+        // Release 0.1.0 wrote how many there were, and not where.
+        .missing = static_cast<std::size_t>(number(object, "missing", {0, 1e6}).value_or(0)),
+        .missing_nm = {}};
+    Spectrum& spectrum = raw.spectrum;
     spectrum.source = source;
     spectrum.name = text(object, "name");
     if (spectrum.name.empty()) spectrum.name = default_name;
     take_description(spectrum, object);
-    if (!spectrum.quantity) spectrum.quantity = statements.values.quantity;
+    take_quantity(spectrum, object, statements, values.name);
     if (!spectrum.geometry.specular) spectrum.geometry.specular = statements.specular;
-    if (!spectrum.quantity && !statements.values.unusable.empty()) {
-        spectrum.unusable =
-            fmt::format("{} is neither reflectance nor transmittance", in_quotes(statements.values.unusable));
-    }
+    if (!spectrum.geometry.specular) spectrum.geometry.specular = specular_stated(spectrum.name);
     spectrum.remarks = statements.remarks;
-    if (fill) spectrum.remarks.push_back(fmt::format("readings of {} stand for missing values", *fill));
-    take_readings(spectrum, grid, {.value = value, .sigma = sigma},
-                  {.option = options.unit,
-                   .comment = word<Unit>(object, "unit", unit_names),
-                   .named = statements.values.unit,
-                   .percent_in = percent_in,
-                   .window = options.window});
-    take_repeats(spectrum, object, grid, value, spectrum.unit_rule.starts_with("percent") ? 100 : 1);
-    // Release 0.1.0 wrote how many there were, and not where.
-    spectrum.missing_nm.resize(
-        spectrum.missing_nm.size() + static_cast<std::size_t>(number(object, "missing", {0, 1e6}).value_or(0)),
-        std::numeric_limits<double>::quiet_NaN());
-    if (const Json* const missing = object.find("missing_nm"); missing != nullptr) {
-        std::ranges::move(numbers(object, "missing_nm", *missing), std::back_inserter(spectrum.missing_nm));
+    spectrum.remarks.insert(spectrum.remarks.end(), uncertainty.remarks.begin(), uncertainty.remarks.end());
+    spectrum.doubts = contradictions(object, along.numbers);
+    if (!abscissa.is_nm()) {
+        spectrum.remarks.push_back(fmt::format("the wavelengths are converted from {} to nm", abscissa.name));
     }
-    if (!sigma.empty()) {
+    if (!raw.sigma.empty()) {
         spectrum.sigma_source = text(object, "sigma_source");
         if (spectrum.sigma_source.empty()) spectrum.sigma_source = "given by the file";
     }
-    return spectrum;
+    if (const Json* const missing = object.find("missing_nm"); missing != nullptr) {
+        raw.missing_nm = numbers(object, "missing_nm", *missing);
+    }
+    clean(raw, missing_values(object), statements.factor);
+    return raw;
 }
 
-/// The wavelength of value `i` of an object that has not been checked; NaN where it is not told.
-double glance_at_wavelength(const Json& spectrum, std::size_t i) {
-    const auto number_in = [](const Json& json) {
-        return json.is_number() ? json.get<double>() : std::numeric_limits<double>::quiet_NaN();
-    };
-    const Json nothing;
-    const auto part = [&](const char* name) -> const Json& {
-        const auto found = spectrum.find(name);
-        return found == spectrum.end() ? nothing : *found;
-    };
-    const Json& list = part("wavelength_nm");
-    if (list.is_array()) return i < list.size() ? number_in(list[i]) : std::numeric_limits<double>::quiet_NaN();
-    return number_in(part("start")) + static_cast<double>(i) * number_in(part("step"));
+/// The readings of the same specimen, in the order of the grid, without the wavelengths whose value is missing; NaN
+/// where a reading has none.
+void take_repeats(Spectrum& spectrum, const RawSpectrum& raw) {
+    const double one = spectrum.unit_rule.starts_with("percent") ? 100 : 1;
+    for (const std::vector<double>& repeat : raw.repeats) {
+        std::vector<double>& readings = spectrum.repeats.emplace_back();
+        for (const std::size_t i : raw.grid.order) {
+            if (!std::isnan(raw.value[i])) readings.push_back(repeat[i] / one);
+        }
+    }
+}
+
+/// `percent_in` is another spectrum of the list that is in percent; empty where none is.
+Spectrum spectrum_of(RawSpectrum raw, const ReadOptions& options, const std::string& percent_in) {
+    Spectrum spectrum = std::move(raw.spectrum);
+    take_readings(spectrum, raw.grid, {.value = raw.value, .sigma = raw.sigma},
+                  {.option = options.unit,
+                   .comment = raw.unit,
+                   .named = raw.named,
+                   .percent_in = percent_in,
+                   .window = options.window});
+    take_repeats(spectrum, raw);
+    spectrum.missing_nm.resize(spectrum.missing_nm.size() + raw.missing, std::numeric_limits<double>::quiet_NaN());
+    std::ranges::copy(raw.missing_nm, std::back_inserter(spectrum.missing_nm));
+    return spectrum;
 }
 
 /// The first spectrum of a list that is in percent, as it states or as its values in the window show; empty where none
 /// is.
-std::string spectrum_in_percent(const Json& all, const WavelengthWindow& window) {
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const Json& json = all[i];
-        if (!json.is_object()) continue;
-        const std::string name = json.contains("name") && json["name"].is_string() ? json["name"].get<std::string>()
-                                                                                   : fmt::format("spectrum {}", i + 1);
-        if (json.contains("unit")) {
-            if (json["unit"] == "percent") return name;
-            continue;
-        }
-        const auto list = json.contains("value") ? json.find("value") : json.find("values");
-        if (list == json.end() || !list->is_array()) continue;
-        std::vector<double> values;
-        std::vector<double> wavelength_nm;
-        for (const Json& value : *list) {
-            wavelength_nm.push_back(glance_at_wavelength(json, values.size()));
-            const bool is_reading = value.is_number() && !is_fill_number(value.get<double>());
-            values.push_back(is_reading ? value.get<double>() : std::numeric_limits<double>::quiet_NaN());
-        }
-        if (shows_percent(used_values(window, wavelength_nm, values))) return name;
-    }
-    return {};
+std::string spectrum_in_percent(std::span<const RawSpectrum> all, const WavelengthWindow& window) {
+    const auto in_percent = [&window](const RawSpectrum& raw) {
+        const std::optional<Unit> stated = raw.unit ? raw.unit : raw.named;
+        if (stated || !raw.spectrum.unusable.empty()) return stated == Unit::percent;
+        return shows_percent(used_values(window, raw.grid, raw.value));
+    };
+    const auto found = std::ranges::find_if(all, in_percent);
+    return found == all.end() ? std::string{} : found->spectrum.name;
 }
 
 }  // namespace
@@ -245,16 +269,23 @@ std::vector<Spectrum> read_json(std::string_view text, const std::string& source
     const Json file = parsed_json(text, source, std::string(json_example));
     const bool ours = file.is_object() && file.contains("spectra");
     const Json& all = ours ? file["spectra"] : file;
-    const std::string stem = std::filesystem::path(source).stem().string();
-    if (!all.is_array()) return {spectrum_of({.json = all, .where = source}, source, stem, options)};
-    const std::string percent_in = spectrum_in_percent(all, options.window);
-    std::vector<Spectrum> spectra;
-    for (const Json& json : all) {
-        const std::string number = fmt::format("spectrum {}", spectra.size() + 1);
-        spectra.push_back(spectrum_of({.json = json, .where = fmt::format("{}: {}", source, number)}, source, number,
-                                      options, percent_in));
+    static const Json nothing = Json::object();
+    const Json& beside = ours ? file : nothing;
+    const bool is_list = all.is_array();
+    std::vector<RawSpectrum> raw;
+    const auto add = [&](const Json& json, const std::string& where, const std::string& name) {
+        const Json whole = completed(json, beside);
+        raw.push_back(raw_spectrum({.json = whole, .where = where}, source, name));
+    };
+    if (!is_list) add(all, source, std::filesystem::path(source).stem().string());
+    for (std::size_t i = 0; is_list && i < all.size(); ++i) {
+        const std::string name = fmt::format("spectrum {}", i + 1);
+        add(all[i], fmt::format("{}: {}", source, name), name);
     }
-    std::erase_if(spectra, [](const Spectrum& spectrum) { return spectrum.value.empty(); });
+    const std::string percent_in = is_list ? spectrum_in_percent(raw, options.window) : std::string{};
+    std::vector<Spectrum> spectra;
+    for (RawSpectrum& each : raw) spectra.push_back(spectrum_of(std::move(each), options, percent_in));
+    if (is_list) std::erase_if(spectra, [](const Spectrum& spectrum) { return spectrum.value.empty(); });
     return spectra;
 }
 

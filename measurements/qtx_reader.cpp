@@ -6,15 +6,18 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <span>
 
 #include "core/input_error.hpp"
 #include "core/text.hpp"
 #include "measurements/cells.hpp"
+#include "measurements/file_statements.hpp"
 #include "measurements/left_out.hpp"
 #include "measurements/limits.hpp"
 #include "measurements/readers.hpp"
 #include "measurements/spectrum_building.hpp"
 #include "measurements/stated_words.hpp"
+#include "measurements/value_statement.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
@@ -105,6 +108,7 @@ double number(const QtxSection& section, std::string_view key, const std::string
     return *found;
 }
 
+/// The readings as written; NaN where one is missing.
 std::vector<double> readings(const QtxSection& section, const std::string& source) {
     std::vector<double> values;
     const std::string_view text = section.text("R");
@@ -129,30 +133,61 @@ std::vector<double> readings(const QtxSection& section, const std::string& sourc
            fmt::format("REFLPOINTS promises {}", promised));
 }
 
+/// Keys that say what the readings are, as SPECTYPE, MODE or UNITS.
+bool is_of_values(std::string_view key) {
+    return is_ordinate_key(key) || contains(key, "TYPE") || contains(key, "MODE") || contains(key, "UNIT");
+}
+
 /// VIEWING and the like say `SCI`, `Specular Included` or `d/8`; a yes to a key SPECULAR is an answer too.
 Geometry geometry_of(const QtxSection& section, std::string_view name) {
-    Geometry geometry{.incidence_deg = std::nullopt, .specular = specular_in_title(name), .viewing_cone_deg = {}};
+    Geometry geometry{.incidence_deg = std::nullopt, .specular = specular_stated(name), .viewing_cone_deg = {}};
     for (const auto& [key, value] : section.values) {
-        const bool viewing = key.find("VIEW") != std::string::npos || key.find("SPEC") != std::string::npos ||
-                             key.find("GEOM") != std::string::npos;
+        const bool viewing =
+            contains(key, "VIEW") || contains(key, "SPEC") || contains(key, "GEOM") || is_of_values(key);
         if (!viewing) continue;
-        const StatedGeometry stated = geometry_in_title(fmt::format("{} {}", key, value.text));
+        const StatedGeometry stated = geometry_stated(key, value.text);
         if (stated.incidence_deg) geometry.incidence_deg = stated.incidence_deg;
         if (stated.specular) geometry.specular = stated.specular;
     }
     return geometry;
 }
 
-Spectrum spectrum_of(const QtxSection& section, const std::string& source, const ReadOptions& options) {
-    for (const std::string_view key : {"TYPE", "MODE", "DATATYPE", "MEASMODE", "UNITS"}) {
-        const std::optional<std::string> other = unusable_quantity(section.text(key));
-        if (!other) continue;
-        throw InputError({.where = fmt::format("{}:{}", source, section.line_of(key)),
-                          .problem = fmt::format("{} is {}", key, in_quotes(section.text(key))),
-                          .why = fmt::format("{} is no reflectance or transmittance", *other),
-                          .remedy = remedy_for(*other)});
+/// The quantity of the readings: reflectance, unless the section says otherwise. Throws InputError where it is none.
+Quantity quantity_of(const QtxSection& section, const std::string& source) {
+    Quantity quantity = Quantity::reflectance;
+    for (const auto& [key, value] : section.values) {
+        if (!is_of_values(key)) continue;
+        const ValueStatement stated = values_stated_by_letter(value.text);
+        if (stated.quantity) quantity = *stated.quantity;
+        if (stated.unusable.empty()) continue;
+        throw InputError({.where = fmt::format("{}:{}", source, value.line),
+                          .problem = fmt::format("{} is {}", key, in_quotes(value.text)),
+                          .why = fmt::format("{} is no reflectance or transmittance", value.text),
+                          .remedy = remedy_for(value.text)});
     }
-    const std::vector<double> values = readings(section, source);
+    return quantity;
+}
+
+/// Scales that the form does not know, and readings that are percent by the form and can hardly be.
+void take_doubts(Spectrum& spectrum, const QtxSection& section, std::span<const double> values) {
+    for (const auto& [key, value] : section.values) {
+        const bool scales = contains(key, "SCALE") || contains(key, "FACTOR") || contains(key, "MULTIPL");
+        const double number = parse_number(value.text).value_or(1);
+        if (!scales || number == 1 || number == 100) continue;
+        spectrum.doubts.push_back({.message = fmt::format("line {}, {} = {}, is not understood and not applied",
+                                                          value.line, key, in_quotes(value.text)),
+                                   .remedy = "apply it to the readings and delete the line, or delete it"});
+    }
+    if (!std::ranges::all_of(values, [](double value) { return std::isnan(value) || value <= largest_fraction; }))
+        return;
+    spectrum.doubts.push_back({.message = "readings of QTX files are percent, and none of these exceeds 1.5",
+                               .remedy = "if they are fractions, give --unit fraction"});
+}
+
+Spectrum spectrum_of(const QtxSection& section, const std::string& source, const ReadOptions& options) {
+    const Quantity quantity = quantity_of(section, source);
+    std::vector<double> values = readings(section, source);
+    const std::optional<double> fill = take_out_fill_numbers(values);
     const double low = number(section, "REFLLOW", source);
     const double interval = number(section, "REFLINTERVAL", source);
     std::vector<double> wavelength_nm;
@@ -166,10 +201,11 @@ Spectrum spectrum_of(const QtxSection& section, const std::string& source, const
     if (spectrum.name.empty()) spectrum.name = std::string(section.title);
     spectrum.source = source;
     spectrum.line = section.line;
-    const bool transmits = capitals(section.text("MODE")).find("TRANS") != std::string::npos;
-    spectrum.quantity = transmits ? Quantity::transmittance : Quantity::reflectance;
+    spectrum.quantity = quantity;
     spectrum.geometry = geometry_of(section, spectrum.name);
     spectrum.instrument = std::string(section.text("INSTRUMENT"));
+    if (fill) spectrum.remarks.push_back(fmt::format("readings of {} stand for missing values", *fill));
+    if (!options.unit) take_doubts(spectrum, section, values);
     if (options.unit) {
         take_readings(spectrum, grid, {.value = values}, {.option = options.unit, .comment = {}, .header = {}});
     } else {

@@ -177,6 +177,10 @@ double SpectralCube::fraction(double number, std::size_t i) const {
     return number / scale_.one;
 }
 
+double SpectralCube::fraction_of_zero(std::size_t i) const {
+    return header_.data_offset.empty() ? 0.0 : header_.data_offset[bands_[i]] / scale_.one;
+}
+
 std::vector<double> SpectralCube::read_lines(std::size_t first, std::size_t count) const {
     assert(first + count <= lines());
     const std::vector<double> numbers = read_numbers(numbers_, header_, first, count);

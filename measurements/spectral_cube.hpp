@@ -53,6 +53,9 @@ public:
     /// Whether it is stated, by the header or by `unit`.
     [[nodiscard]] bool has_stated_unit() const { return scale_.stated; }
 
+    /// The fraction that the number 0 of the data is in the good band `i`, after its gain and offset.
+    [[nodiscard]] double fraction_of_zero(std::size_t i) const;
+
     /// The lines that take some 24 MB when read at once, at least 1: few enough for little memory, and enough for long
     /// runs of bytes in bsq files.
     [[nodiscard]] std::size_t lines_at_once() const;

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "core/input_error.hpp"
 #include "core/text.hpp"
+#include "measurements/words.hpp"
 #include "study/study_groups.hpp"
 
 namespace skinfit {
@@ -111,6 +113,12 @@ Json agreement_json(const std::optional<MethodAgreement>& agreement) {
     return json;
 }
 
+/// Words for a case of which nothing is known; `-` and `none` may be labels.
+bool is_no_label(const std::string& word) {
+    static constexpr std::array<std::string_view, 7> words = {"", "na", "n/a", "nan", "null", "#n/a", "<na>"};
+    return std::ranges::find(words, lower_case(word)) != words.end();
+}
+
 }  // namespace
 
 std::vector<PredictedCase> cases_of(const Study& study, const Assessment& assessment,
@@ -120,7 +128,7 @@ std::vector<PredictedCase> cases_of(const Study& study, const Assessment& assess
     std::vector<PredictedCase> cases;
     for (const AnsweredRow& each : rows) {
         const std::string label = word_of(each.row.metadata, assessment.metadata);
-        if (label.empty()) continue;
+        if (is_no_label(label)) continue;
         cases.push_back(
             {.probability = each.indicators[place].probability, .is_positive = label == assessment.positive});
     }
@@ -147,8 +155,8 @@ std::vector<ReferencePair> pairs_of(const Assessment& assessment, const std::vec
     std::vector<ReferencePair> pairs;
     for (const AnsweredRow& each : rows) {
         const std::string word = word_of(each.row.metadata, assessment.metadata);
-        if (word.empty()) continue;
         const std::optional<double> reference = parse_number(word);
+        if (is_missing(word) || (reference && is_fill_number(*reference))) continue;
         if (!reference || !std::isfinite(*reference)) {
             throw InputError({.where = fmt::format("{} {}", each.row.key.source, each.row.key.name),
                               .problem = fmt::format(R"("{}" is "{}")", assessment.metadata, word),

@@ -11,7 +11,7 @@
 
 namespace skinfit {
 
-/// The cases of an indicator: spectra whose metadata have a word for the label.
+/// The cases of an indicator: spectra whose metadata have a word for the label, other than NA and its kin.
 [[nodiscard]] std::vector<PredictedCase> cases_of(const Study& study, const Assessment& assessment,
                                                   const std::vector<AnsweredRow>& rows);
 
@@ -27,8 +27,8 @@ struct IndicatorAssessment {
 [[nodiscard]] IndicatorAssessment assessed(const Study& study, const Assessment& assessment,
                                            const std::vector<AnsweredRow>& rows);
 
-/// The pairs of an estimate and its reference value: spectra whose metadata hold a number. Throws InputError for words
-/// that are no numbers.
+/// The pairs of an estimate and its reference value: spectra whose metadata hold a number, other than those that stand
+/// for none (`is_missing`, `is_fill_number`). Throws InputError for other words.
 [[nodiscard]] std::vector<ReferencePair> pairs_of(const Assessment& assessment, const std::vector<AnsweredRow>& rows);
 
 /// All assessments of a study as JSON.

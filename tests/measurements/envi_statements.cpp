@@ -99,7 +99,7 @@ TEST_F(EnviStatements, ContradictionsOfScalesAreRefused) {
 TEST_F(EnviStatements, OtherQuantitiesAreRefused) {
     const std::string scale = "reflectance scale factor = 50\n";
     EXPECT_EQ(refusal(nm + "z plot titles = {Wavelength (nm), Absorbance}\n"),
-              "a.hdr:14: \"z plot titles\" is \"Wavelength (nm), Absorbance\" (absorbance is no reflectance or "
+              "a.hdr:14: \"z plot titles\" is \"Wavelength (nm), Absorbance\" (Absorbance is no reflectance or "
               "transmittance); export reflectance or transmittance; an absorbance A is a share of light 10^-A; if they "
               "are, correct the header");
     for (const std::string more :
@@ -119,6 +119,37 @@ TEST_F(EnviStatements, OtherQuantitiesAreRefused) {
     EXPECT_EQ(refusal(overruled, 4, {.unit = Unit::percent}), "");
 }
 
+TEST_F(EnviStatements, QuantityScaleAndGeometryAreReadWhereverTheyStand) {
+    const std::string scale = "reflectance scale factor = 50\n";
+    for (const std::string more : {"data unit = log(1/R)", "measurement = absorbance", "y plot titles = {Absorbance}",
+                                   "band names = {Absorbance 400 nm, Absorbance 500 nm, Absorbance 600 nm}"}) {
+        EXPECT_NE(refusal(nm + more + "\n").find("no reflectance or transmittance"), std::string::npos) << more;
+    }
+    // A factor that the header's own scale undoes, and how values came about.
+    for (const std::string more : {"data units = Reflectance x10000", "z plot titles = {Wavelength, Reflectance*10^4}",
+                                   "description = {reflectance scaled by 10000}", "data units = Reflectance (x 1e4)",
+                                   "data units = Reflectance\ndescription = {made from radiance}"}) {
+        EXPECT_EQ(refusal(nm + scale + more + "\n"), "") << more;
+    }
+    EXPECT_NE(refusal(nm + "data units = Reflectance x10000\n"), "");
+    EXPECT_EQ(read(nm + scale + "specular = excluded\n").geometry.specular, Specular::excluded);
+    EXPECT_EQ(read(nm + scale + "description = {forearm SCE}\n").geometry.specular, Specular::excluded);
+    EXPECT_EQ(read(nm + scale + "measurement geometry = d/8\n").geometry.incidence_deg, 8.0);
+}
+
+TEST_F(EnviStatements, ABandOfZerosWasNotMeasuredWhateverItsOffset) {
+    test::write_cube(in_folder("a.hdr"), {.samples = 2,
+                                          .lines = 1,
+                                          .bands = 3,
+                                          .interleave = "bsq",
+                                          .data_type = 4,
+                                          .more = nm + "data offset values = {0.05, 0.05, 0.05}\n",
+                                          .given = {0, 0.2, 0.4, 0, 0.3, 0.5}});
+    const Spectrum spectrum = read_envi(find_envi_files(in_folder("a.hdr"))).front();
+    EXPECT_EQ(spectrum.wavelength_nm, (Numbers{500, 600}));
+    EXPECT_EQ(spectrum.missing_nm, Numbers{400});
+}
+
 TEST_F(EnviStatements, WavelengthsInUnitsOfLengthFrequencyAndWavenumberAreConverted) {
     const struct {
         std::string more;
@@ -133,6 +164,10 @@ TEST_F(EnviStatements, WavelengthsInUnitsOfLengthFrequencyAndWavenumberAreConver
         {"wavelength units = {um}\nwavelength = {0.4, 0.5, 0.6}\n", {400, 500, 600}},
         {"Wavelength_Units = Micrometers ; as the camera has it\nWAVELENGTH = {0.4, 0.5, 0.6}\n", {400, 500, 600}},
         {"wavelength units =\nwavelength = {600, 500, 400}\n", {400, 500, 600}},
+        {"wavelength = {\"400 nm\", \"500 nm\", \"600 nm\"}\n", {400, 500, 600}},
+        {"wavelength = {0.4 um, 0.5 um, 0.6 um}\n", {400, 500, 600}},
+        {"z plot titles = {Frequency (THz), Reflectance}\nwavelength = {749.481145, 599.584916, 499.65409667}\n",
+         {400, 500, 600}},
         {"wavelength\t=\n\n; in nm\n{\n400\n; the second\n500\n600\n}\n", {400, 500, 600}},
     };
     for (const auto& each : cases) {
@@ -240,6 +275,14 @@ TEST_F(EnviStatements, ALibraryKeepsItsNamesScalesAndGaps) {
     EXPECT_EQ(read_spectrum(in_folder("skin.hdr"), {.column = "two"}).name, "two");
     EXPECT_NE(test::refusal_of([&] { (void)read_spectrum(in_folder("skin.hdr")); }).find("has 2 spectra"),
               std::string::npos);
+    test::write_text(in_folder("names.hdr"),
+                     "ENVI\nsamples = 3\nlines = 3\nbands = 1\nfile type = ENVI Spectral Library\ndata type = 4\n"
+                     "interleave = bsq\nbyte order = 0\n" +
+                         nm + "spectra names = {arm absorbance, arm reflectance, ear transmittance}\n");
+    test::write_text(in_folder("names.sli"), test::stored({1, 1.1, 1.2, 0, 0.2, 0.3, 0, 0.4, 0.5}, 4, false));
+    const std::vector<Spectrum> named = read_spectra(in_folder("names.sli")).spectra;
+    ASSERT_EQ(named.size(), 2U);
+    EXPECT_EQ(named[1].quantity, Quantity::transmittance);
     const ReadOptions region{.region = {.rectangle = Rectangle{0, 0, 1, 1}}};
     EXPECT_NE(test::refusal_of([&] { (void)read_spectra(in_folder("skin.hdr"), region); }).find("no pixels to choose"),
               std::string::npos);

@@ -59,6 +59,19 @@ TEST(JcampStatements, UnitsOfManyMakersAreUnderstood) {
     }
 }
 
+TEST(JcampStatements, FillNumbersAreMissingAndNoiseIsNot) {
+    const auto values = [](const std::string& factor, const std::string& number) {
+        return only(jcamp("NM", "R", "##YFACTOR= " + factor + "\n##XYPOINTS= (XY..XY)\n400 " + number + " 410 2000\n"))
+            .value.size();
+    };
+    EXPECT_EQ(values("0.0001", "-9999"), 1U);
+    EXPECT_EQ(values("1", "-999"), 1U);
+    EXPECT_EQ(values("1", "1E+34"), 1U);
+    EXPECT_EQ(values("0.00001", "-999"), 2U) << "noise about 0";
+    EXPECT_EQ(values("0.0001", "9999"), 2U) << "a white";
+    EXPECT_EQ(only(jcamp("NM", "R", "##$SPECULAR= excluded\n" + pairs)).geometry.specular, Specular::excluded);
+}
+
 TEST(JcampStatements, OtherQuantitiesAreRefusedWithTheWayOut) {
     for (const std::string y : {"ABSORBANCE", "KUBELKA-MUNK", "COUNTS", "ARBITRARY UNITS", "LOG(1/R)",
                                 "log(1/Reflectance)", "INTENSITY", "K/S", "RADIANCE", "", "OPTICAL DENSITY"}) {
@@ -174,7 +187,9 @@ TEST(CgatsStatements, KeywordsAreHeeded) {
     const std::string fields = "SAMPLE_ID SPEC_400 SPEC_410";
     EXPECT_EQ(only(cgats("SPECTRAL_NORM 10000\n", fields, "a 1000 2500")).value, (Numbers{0.1, 0.25}));
     EXPECT_TRUE(contains_text(refusal(cgats("SPECTRAL_NORM 0\n", fields, "a 1 2")), "SPECTRAL_NORM is \"0\""));
-    for (const std::string keyword : {"MEAS_TYPE \"EMISSION\"", "MEAS_TYPE AMBIENT", "DEVICE_CLASS \"DISPLAY\""}) {
+    for (const std::string keyword :
+         {"MEAS_TYPE \"EMISSION\"", "MEAS_TYPE AMBIENT", "DEVICE_CLASS \"DISPLAY\"", "MEAS_TYPE \"DENSITY\"",
+          "MEASUREMENT \"absorbance\"", "DESCRIPTOR \"spectral absorbance of skin\""}) {
         EXPECT_TRUE(contains_text(refusal(cgats(keyword + "\n", fields, "a 0.1 0.2")), "no reflectance")) << keyword;
     }
     const Spectrum old =
@@ -189,6 +204,15 @@ TEST(CgatsStatements, KeywordsAreHeeded) {
     EXPECT_TRUE(as_read(only(cgats("FILTER \"Pol\"\n", fields, "a 0.1 0.2"))));
     const std::string range = "SPECTRAL_BANDS 3\nSPECTRAL_START_NM 380\nSPECTRAL_END_NM 400\n";
     EXPECT_TRUE(doubtful_file(only(cgats(range, fields, "a 0.1 0.2"))));
+}
+
+TEST(CgatsStatements, UncertaintiesAndFillNumbersAreHeeded) {
+    const Spectrum spectrum = only(cgats(
+        "SPECTRAL_NORM 100\n", "ID SPEC_400 SPEC_410 SPEC_420 STDEV_400 STDEV_410 STDEV_420", "a 10 -9999 20 1 2 3"));
+    EXPECT_EQ(spectrum.value, (Numbers{0.1, 0.2}));
+    EXPECT_EQ(spectrum.sigma, (Numbers{0.01, 0.03}));
+    EXPECT_EQ(spectrum.missing_nm, Numbers{410});
+    EXPECT_EQ(only(cgats("SPECTRAL_NORM 10000\n", "ID SPEC_400 SPEC_410", "a 9999 2500")).value.size(), 2U);
 }
 
 TEST(CgatsStatements, OneBadSetHidesNoGoodOne) {
@@ -210,6 +234,10 @@ TEST(QtxStatements, PointsViewingAndMissingReadingsAreHeeded) {
     EXPECT_EQ(spectrum.missing_nm.size(), 1U);
     EXPECT_EQ(spectrum.geometry.specular, Specular::excluded);
     EXPECT_TRUE(contains_text(refusal(qtx("STD_R=1,2\n")), "f:6: holds 2 readings (REFLPOINTS promises 3)"));
+    EXPECT_EQ(only(qtx("STD_R=10,-9999,30\n")).value, (Numbers{0.1, 0.3}));
+    EXPECT_TRUE(contains_text(refusal(qtx("STD_SPECTYPE=K/S\nSTD_R=10,20,30\n")), "SPECTYPE is \"K/S\""));
+    EXPECT_TRUE(doubtful_file(only(qtx("STD_SCALE=10000\nSTD_R=10,20,30\n"))));
+    EXPECT_TRUE(doubtful_file(only(qtx("STD_R=0.1,0.2,0.3\n")))) << "hardly percent";
     EXPECT_TRUE(contains_text(refusal(qtx("STD_R=1,x,2\n")), "holds \"x\" among its readings"));
     const Spectrum other = only("[BATCH_DATA 0]\nBAT_R=1,2\n" + qtx("STD_R=10,20,30\n"));
     EXPECT_EQ(other.value, (Numbers{0.1, 0.2, 0.3}));

@@ -73,7 +73,8 @@ TEST(JcampDx, LostPointsAreFound) {
     EXPECT_EQ(refusal(block("a", "400 1 2 3\n")),
               "f.jdx:9: holds 3 points (##NPOINTS= promises 10); check that the file is complete and unchanged");
     EXPECT_EQ(refusal(block("a", "400 1 2 3\n470 4 5\n")),
-              "f.jdx:11: starts at 470, not 430 (the points before it are too few or too many); check that the file is "
+              "f.jdx:11: starts at 470, not 430 (the points before it are too few or too many for ##NPOINTS= 10 "
+              "from ##FIRSTX= 400 to ##LASTX= 490); check that the file is "
               "complete and unchanged");
 }
 

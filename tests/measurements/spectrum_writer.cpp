@@ -103,7 +103,7 @@ TEST(SpectrumWriter, JsonHoldsSpectraOfDifferentGridsAndRepeats) {
     std::vector<Spectrum> several{complete("a", random), complete("a", random)};
     for (double& nm : several[1].wavelength_nm) nm += 0.1;
     several[1].geometry.specular = Specular::excluded;
-    several[1].repeats = {several[1].value, several[1].sigma};
+    several[1].repeats = {several[1].value, several[0].value};
     expect_round_trip(several, spectra_json(several));
     EXPECT_EQ(parse_spectra(spectra_json(several), "f").spectra[1].repeats, several[1].repeats);
 }

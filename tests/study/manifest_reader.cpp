@@ -46,7 +46,9 @@ TEST(Manifest, IsTheSameInAllItsDresses) {
                       "file,subject\na.csv,x\nb.csv,y\n",
                       "file;subject\na.csv;x\nb.csv;y\n", "file\tsubject\na.csv\tx\nb.csv\ty\n",
                       "# made by hand\n\nfile,subject\n\na.csv,x\n  # not c.csv,z\nb.csv,y\n\n",
-                      " file , \"subject\" \n\"a.csv\", x\nb.csv,\"y\"\n"});
+                      " file , \"subject\" \n\"a.csv\", x\nb.csv,\"y\"\n",
+                      "\"file\",\"subject\"\n\"1\",\"a.csv\",\"x\"\n\"2\",\"b.csv\",\"y\"\n",
+                      ",file,subject\n0,a.csv,x\n7,b.csv,y\n", "sep=;\nFile;subject\na.csv;x\nb.csv;y\n"});
 }
 
 TEST(Manifest, QuotedCellsHoldSeparatorsAndQuotes) {
@@ -83,6 +85,10 @@ TEST(Manifest, RefusesWhatItCannotMean) {
          "m.csv:2: holds the control byte 0x00 (plain text is needed; this is a binary, spreadsheet or UTF-16 file); "
          "export it as plain text or CSV in UTF-8"}};
     for (const auto& [text, said] : table) EXPECT_EQ(complaint(text), said);
+    for (const std::string column :
+         {"unit", "quantity", "specular", "incidence_deg", "sigma", "exclude_nm", "reader"}) {
+        EXPECT_NE(complaint("file," + column + "\nx,1\n").find("would not change"), std::string::npos) << column;
+    }
     EXPECT_EQ(complaint("file,a\nx,1\n"), "");
 }
 
