@@ -33,8 +33,8 @@ struct GridPlace {
 
 /// Sorts the wavelengths of a file, given in its order; those that are repeated stay in it. But detectors of one
 /// instrument may overlap: of two to six runs that ascend, or descend, each with ten readings or more and each going on
-/// beyond the last, a later run's readings within an earlier one are left out. Throws InputError for a wavelength
-/// outside [100, 10000] nm; `place` names the i-th.
+/// beyond the last, a later run's readings within an earlier one, two or more and at most half of it, are left out.
+/// Throws InputError for a wavelength outside [100, 10000] nm; `place` names the i-th.
 [[nodiscard]] Grid make_grid(std::span<const double> wavelength_nm, const std::function<GridPlace(std::size_t)>& place);
 
 /// The readings of one spectrum, in the order of its file: NaN where one is missing.
