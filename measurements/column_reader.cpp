@@ -98,14 +98,14 @@ public:
         std::size_t at = 0;
         for (const ColumnChoice& choice : choices_) {
             const std::size_t value_at = at++;
-            const std::optional<std::size_t> sigma_at = choice.sigma ? std::optional(at++) : std::nullopt;
+            const std::size_t sigma_at = choice.sigma ? at++ : value_at;
             if (numbers.holds_words[value_at]) continue;
-            if (sigma_at && numbers.holds_words[*sigma_at])
+            if (choice.sigma && numbers.holds_words[sigma_at])
                 (void)read_numbers(table_.columns, std::array{*choice.sigma});
             std::vector<double> value = store.column(value_at);
             const std::optional<double> fill = take_out_fill_numbers(value);
             const std::size_t zeros = empty_.take_out_zeros(choice.wavelength, value);
-            spectra.push_back(read(choice, value, sigma_at ? store.column(*sigma_at) : std::vector<double>{}));
+            spectra.push_back(read(choice, value, choice.sigma ? store.column(sigma_at) : std::vector<double>{}));
             if (fill) {
                 spectra.back().remarks.push_back(fmt::format("readings of {} stand for missing values", *fill));
             }
@@ -141,7 +141,11 @@ private:
             if (choice.sigma) sigma.push_back(all_sigmas[row]);
         }
         const bool is_paired = axes_.size() > 1;
-        if (!is_paired) check_table(table_, axis.all_numbers, choice.sole ? value : std::vector<double>{});
+        if (!is_paired && choice.sole) check_table(table_, axis.all_numbers, value);
+        if (!is_paired && !choice.sole) {
+            check_declared(table_.columns.source, declared_of_several(table_.statements.declared), axis.all_numbers,
+                           {});
+        }
         for (double& each : value) each *= table_.statements.factor;
         for (double& each : sigma) each *= table_.statements.factor;
         Spectrum spectrum = described(table_, choice, choices_.size());

@@ -101,11 +101,13 @@ bool gives_names(const std::vector<std::string>& cells, bool is_next) {
     return filled == cells.size() || (is_next && filled >= 2 && (filled > 2 || cells[1].empty()));
 }
 
-/// Joins the units below names to them.
-void join_units(std::vector<std::string>& names, const std::vector<std::string>& units) {
+/// Joins the units below names to them: those in brackets, and that of wavelengths.
+void join_units(std::vector<std::string>& names, std::vector<std::string>& units) {
     for (std::size_t c = 0; c < names.size(); ++c) {
-        if (units[c].empty() || names[c].empty()) continue;
-        names[c] += is_bracketed(units[c]) ? " " + units[c] : " (" + units[c] + ")";
+        const bool bracketed = is_bracketed(units[c]);
+        if (units[c].empty() || names[c].empty() || (!bracketed && !is_abscissa_name(names[c]))) continue;
+        names[c] += bracketed ? " " + units[c] : " (" + units[c] + ")";
+        units[c].clear();
     }
 }
 
@@ -143,7 +145,7 @@ bool is_line_of_words(std::span<const std::string_view> cells) {
 Header find_header(std::span<const Row> words, std::size_t width, char separator) {
     if (words.empty()) return {};
     Header header;
-    std::vector<std::vector<std::string>> units;
+    std::vector<TitleLine> units;
     std::size_t end = words.size();
     for (; end > 1; --end) {
         const std::vector<std::string> cells = cells_of(words[end - 1], width, separator);
@@ -152,14 +154,17 @@ Header find_header(std::span<const Row> words, std::size_t width, char separator
         if (!of_units && !states) break;
         const std::vector<std::string> above = names_in(words[end - 2].text, width, separator);
         if (above.empty() || (cells.front().empty() && !is_abscissa_name(above.front()))) break;
-        if (of_units) units.push_back(cells);
+        if (of_units) units.push_back({.line = words[end - 1].line, .cells = cells, .is_statement = true});
         if (states) header.titles.push_back({.line = words[end - 1].line, .cells = cells, .is_statement = true});
     }
     header.names = names_in(words[end - 1].text, width, separator);
     if (header.names.empty()) return {};
     header.line = words[end - 1].line;
     header.lines = words.size() - end + 1;
-    for (const std::vector<std::string>& each : units) join_units(header.names, each);
+    for (TitleLine& each : units) {
+        join_units(header.names, each.cells);
+        if (count_filled(each.cells) > 0) header.titles.push_back(std::move(each));
+    }
     take_titles(header, words.first(end - 1), width, separator);
     return header;
 }

@@ -71,7 +71,8 @@ public:
 private:
     /// What the file declares of a single spectrum, or of the wavelengths of several.
     void check_declared_numbers(const std::vector<ReadRow>& rows) const {
-        std::vector<Declared> declared = statements_.declared;
+        std::vector<Declared> declared =
+            rows.size() > 1 ? declared_of_several(statements_.declared) : statements_.declared;
         std::erase_if(declared, [&](const Declared& each) {
             return each.meaning == "count" && each.number == static_cast<double>(rows.size());
         });

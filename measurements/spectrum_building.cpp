@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "core/geometry.hpp"
@@ -150,6 +151,15 @@ std::vector<double> used_values(const WavelengthWindow& window, const Grid& grid
     std::vector<double> in_order;
     for (const std::size_t i : grid.order) in_order.push_back(readings[i]);
     return used_values(window, grid.wavelength_nm, in_order);
+}
+
+std::vector<Declared> declared_of_several(std::span<const Declared> declared) {
+    std::vector<Declared> sure;
+    std::ranges::copy_if(declared, std::back_inserter(sure), [](const Declared& each) {
+        const std::string key = bare_key(each.key);
+        return key != "points" && key != "channels" && key != "numberofchannels";
+    });
+    return sure;
 }
 
 std::optional<Quantity> quantity_named(std::string_view text) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "measurements/declared.hpp"
 #include "measurements/spectrum.hpp"
 #include "measurements/unit_rule.hpp"
 
@@ -53,6 +54,9 @@ void take_readings(Spectrum& spectrum, const Grid& grid, const Readings& reading
 /// Of readings in the order of their file, those in the window that are numbers; all that are where it has none.
 [[nodiscard]] std::vector<double> used_values(const WavelengthWindow& window, const Grid& grid,
                                               std::span<const double> readings);
+
+/// What a file declares of its wavelengths, where it has several spectra: points and channels may then be anything.
+[[nodiscard]] std::vector<Declared> declared_of_several(std::span<const Declared> declared);
 
 /// The quantity that a column's name or a title states; nothing where it names none or both.
 [[nodiscard]] std::optional<Quantity> quantity_named(std::string_view text);

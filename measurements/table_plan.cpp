@@ -9,6 +9,7 @@
 
 #include "core/input_error.hpp"
 #include "measurements/column_words.hpp"
+#include "measurements/header.hpp"
 #include "measurements/paired_columns.hpp"
 #include "measurements/table_uncertainties.hpp"
 #include "measurements/uncertainty_name.hpp"
@@ -59,20 +60,34 @@ private:
         return cells;
     }
 
+    /// What the lines about the names give each column to be called by; those that state something of values, too,
+    /// where these are wanted.
+    [[nodiscard]] std::vector<std::string> joined_titles(bool with_statements) const {
+        std::vector<std::string> titles(columns_.width);
+        for (const TitleLine& line : columns_.titles) {
+            if (line.is_statement && !with_statements) continue;
+            const std::vector<std::string> cells = cells_above(line);
+            for (std::size_t c = 0; c < titles.size(); ++c) {
+                if (is_unit(cells[c]) || cells[c].empty() || titles[c] == cells[c]) continue;
+                titles[c] += (titles[c].empty() ? "" : " ") + cells[c];
+            }
+        }
+        return titles;
+    }
+
     /// Lines above the header name what its columns repeat, or leave empty: `forearm,,cheek,,` over
     /// `Wavelength,%R,Wavelength,%R`.
     void take_titles() {
         std::map<std::string_view, std::size_t> count;
         for (const std::string& name : columns_.names) ++count[name];
-        std::vector<std::string> titles(columns_.width);
-        const bool all_state = std::ranges::all_of(columns_.titles, &TitleLine::is_statement);
-        for (const TitleLine& line : columns_.titles) {
-            if (line.is_statement && !all_state) continue;
-            const std::vector<std::string> cells = cells_above(line);
-            for (std::size_t c = 0; c < titles.size(); ++c) {
-                if (!cells[c].empty() && titles[c] != cells[c]) titles[c] += (titles[c].empty() ? "" : " ") + cells[c];
-            }
-        }
+        std::vector<std::string> titles = joined_titles(false);
+        const auto repeats = [&](std::size_t c) {
+            return !titles[c].empty() && count[columns_.names[c]] > 1 && std::ranges::count(titles, titles[c]) > 1 &&
+                   !uncertainty_named(columns_.names[c]);
+        };
+        bool needs_more = std::ranges::all_of(titles, &std::string::empty);
+        for (std::size_t c = 0; c < columns_.names.size(); ++c) needs_more = needs_more || repeats(c);
+        if (needs_more) titles = joined_titles(true);
         std::map<std::string, std::size_t> used;
         for (std::size_t c = 0; c < columns_.names.size(); ++c) {
             const std::string& name = columns_.names[c];
@@ -172,7 +187,8 @@ private:
         for (std::size_t c = 0; c < columns_.names.size(); ++c) {
             if (!is(c, ColumnRole::value)) continue;
             const bool in_front = c < plan_.first_wavelength;
-            if (in_front ? is_label_in_front(header(c)) : counts_readings(header(c))) {
+            const bool holds_words = in_front && columns_.first > c;
+            if (holds_words || (in_front ? is_label_in_front(header(c)) : counts_readings(header(c)))) {
                 leave_out(c, "it counts or names the readings");
             } else if (is_condition(header(c)) || (names_values && counts_repeats(header(c)))) {
                 leave_out(c, "it says how the readings were taken");

@@ -15,7 +15,8 @@ namespace {
 
 std::string_view without_marks(std::string_view text) {
     const auto is_mark = [](char c) { return contains(" _-.()[]:=@", {&c, 1}); };
-    while (!text.empty() && is_mark(text.back())) text.remove_suffix(1);
+    const auto closes = [&] { return text.back() == ')' && contains(text.substr(1), "("); };  // as in log(1/R)
+    while (!text.empty() && is_mark(text.back()) && !closes()) text.remove_suffix(1);
     while (!text.empty() && is_mark(text.front())) text.remove_prefix(1);
     return text;
 }
@@ -79,6 +80,11 @@ std::optional<WavelengthName> wavelength_named(std::string_view name, bool decim
         if (!after.starts_with(unit) || !ends || !found.unit.empty()) continue;
         found.unit = unit;
         suffix = without_marks(suffix.substr(unit.size()));
+    }
+    constexpr double beyond_nm = 2500;  // chosen: of spectrometers; what goes further in A is in angstrom
+    if (suffix == "A" && *number > beyond_nm) {
+        found.unit = "angstrom";
+        suffix = {};
     }
     for (const std::string_view part : {prefix, suffix}) {
         if (says_nothing(lower_case(part))) continue;
