@@ -188,21 +188,6 @@ void take_words(Columns& columns, std::span<const Row> words, const Shape& shape
     }
 }
 
-/// Whether the first row is a header under which specimens are called by whole numbers: `,401,402` over
-/// `400,0.08,0.07`.
-bool is_header_of_numbers(const Columns& columns) {
-    constexpr double least = 100;  // chosen: beyond readings in percent
-    if (columns.rows.size() < 2) return false;
-    CellCutter cutter(columns.separator);
-    const std::span<const std::string_view> cells = cutter.cut(columns.rows.front().text);
-    const auto is_name = [](std::string_view cell) {
-        const std::optional<double> number = parse_number(cell);
-        return number && *number >= least && cell.find_first_not_of("0123456789") == std::string_view::npos;
-    };
-    return cells.size() > 1 && cells.front().empty() && std::ranges::all_of(cells.subspan(1), is_name) &&
-           parse_number(cutter.cut(columns.rows[1].text).front());
-}
-
 /// Drops lines of nothing but separators.
 void drop_empty(std::vector<Row>& rows, char separator) {
     CellCutter cutter(separator);
@@ -275,7 +260,7 @@ Columns split_columns(std::string_view text, const std::string& source) {
                           .why = "lines of a wavelength and its values are needed",
                           .remedy = "check that the file is complete"});
     }
-    if (is_header_of_numbers(columns)) {
+    if (columns.rows.size() > 1 && is_header_of_numbers(columns.rows[0], columns.rows[1], columns.separator)) {
         words.push_back(columns.rows.front());
         columns.rows.erase(columns.rows.begin());
     }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
+#include "core/text.hpp"
 #include "measurements/abscissa.hpp"
 #include "measurements/cells.hpp"
 #include "measurements/file_statements.hpp"
@@ -140,6 +142,18 @@ bool is_line_of_words(std::span<const std::string_view> cells) {
     const auto is_word = [](std::string_view cell) { return !is_missing(cell) && !starts_like_a_number(cell); };
     const bool alone = cells.size() == 1 && !cells.front().empty() && !starts_like_a_number(cells.front());
     return alone || (cells.front().empty() ? std::ranges::any_of(cells, is_word) : is_word(cells.front()));
+}
+
+bool is_header_of_numbers(const Row& first, const Row& second, char separator) {
+    constexpr double least = 100;  // chosen: beyond readings in percent
+    CellCutter cutter(separator);
+    const std::span<const std::string_view> cells = cutter.cut(first.text);
+    const auto is_name = [](std::string_view cell) {
+        const std::optional<double> number = parse_number(cell);
+        return number && *number >= least && cell.find_first_not_of("0123456789") == std::string_view::npos;
+    };
+    return cells.size() > 1 && cells.front().empty() && std::ranges::all_of(cells.subspan(1), is_name) &&
+           parse_number(cutter.cut(second.text).front());
 }
 
 Header find_header(std::span<const Row> words, std::size_t width, char separator) {

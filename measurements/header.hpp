@@ -12,6 +12,10 @@ namespace skinfit {
 /// True for a line that starts with a word rather than a number, or with nothing and a word after it.
 [[nodiscard]] bool is_line_of_words(std::span<const std::string_view> cells);
 
+/// Whether the first row of a table is a header in which specimens are called by whole numbers: `,401,402` over
+/// `400,0.08,0.07`.
+[[nodiscard]] bool is_header_of_numbers(const Row& first, const Row& second, char separator);
+
 /// True for a cell that is a unit and nothing else: `nm`, `%`, `a.u.`, `(nm)`, `[-]`.
 [[nodiscard]] bool is_unit(std::string_view cell);
 
