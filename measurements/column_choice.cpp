@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "core/input_error.hpp"
 #include "core/text.hpp"
+#include "measurements/cells.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
@@ -38,6 +40,15 @@ std::string header_place(const Columns& columns) {
     return columns.header_line > 0 ? at_line(columns, columns.header_line) : columns.source;
 }
 
+/// Whether the first column, whose name is empty, goes over twice the range of the header: then it is the wavelengths.
+bool goes_further_down(const Columns& columns, double along) {
+    if (!columns.names.front().empty() && !lower_case(columns.names.front()).starts_with("unnamed")) return false;
+    CellCutter cutter(columns.separator);
+    const std::optional<double> first = parse_number(cutter.cut(columns.rows.front().text).front());
+    const std::optional<double> last = parse_number(cutter.cut(columns.rows.back().text).front());
+    return first && last && std::abs(*last - *first) >= 2 * along;
+}
+
 /// A table with one spectrum per line names its columns by wavelengths, and its first column by none.
 void refuse_spectra_in_rows(const Columns& columns) {
     constexpr std::size_t fewest = 3;
@@ -48,6 +59,7 @@ void refuse_spectra_in_rows(const Columns& columns) {
         if (!number || !(*number > previous)) return;
         previous = *number;
     }
+    if (goes_further_down(columns, previous - parse_number(columns.names[1]).value_or(0))) return;
     throw InputError({.where = header_place(columns),
                       .problem = fmt::format("the header runs from {} to {}", in_quotes(columns.names[1]),
                                              in_quotes(columns.names[columns.width - 1])),

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <limits>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <span>
@@ -15,11 +15,16 @@
 #include "core/input_error.hpp"
 #include "measurements/cell_numbers.hpp"
 #include "measurements/cells.hpp"
+#include "measurements/column_axis.hpp"
 #include "measurements/column_choice.hpp"
 #include "measurements/column_store.hpp"
 #include "measurements/described_table.hpp"
+#include "measurements/empty_rows.hpp"
+#include "measurements/long_table.hpp"
 #include "measurements/readers.hpp"
 #include "measurements/spectrum_building.hpp"
+#include "measurements/spectrum_choice.hpp"
+#include "measurements/table_unit.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
@@ -44,106 +49,19 @@ Spectrum described(const DescribedTable& table, const ColumnChoice& choice, std:
     return spectrum;
 }
 
-/// What states the unit of a column's values, but for the values of the other columns.
-UnitStatements unit_statements(const DescribedTable& table, std::size_t column, const ReadOptions& options) {
-    std::optional<Unit> named = table.plan.columns[column].states.unit;
-    const std::size_t wavelength = table.plan.columns[column].wavelength;
-    if (!named && !table.columns.names.empty()) named = values_stated(table.columns.names[wavelength]).unit;
-    if (!named) named = table.statements.values.unit;
-    return {.option = options.unit, .comment = table.description.unit, .named = named, .window = options.window};
-}
-
-/// The wavelengths, nm, of a table's rows in a column that need not be asked for; NaN where one holds none.
-std::vector<double> glance_at_wavelengths(const DescribedTable& table, std::size_t column) {
-    NumberTable numbers = glance_at_numbers(table.columns, std::array{column});
-    std::ranges::replace(numbers.cells, 0.0, std::numeric_limits<double>::quiet_NaN());
-    return wavelengths_nm(table.plan.columns[column].abscissa, numbers.cells);
-}
-
-/// The name of the first column whose values in the window show that the table is in percent, where no word states it;
-/// empty where none does.
-std::string column_in_percent(const DescribedTable& table, const ReadOptions& options) {
-    std::vector<std::size_t> unstated;
-    for (std::size_t c = 0; c < table.plan.columns.size(); ++c) {
-        if (table.plan.columns[c].role != ColumnRole::value) continue;
-        const UnitStatements stated = unit_statements(table, c, options);
-        if (stated.option || stated.comment) return {};
-        if (!stated.named) unstated.push_back(c);
-    }
-    if (unstated.size() < 2) return {};
-    const NumberTable numbers = glance_at_numbers(table.columns, unstated);
-    ColumnStore store(numbers);
-    std::map<std::size_t, std::vector<double>> wavelengths;
-    for (std::size_t i = 0; i < unstated.size(); ++i) {
-        const std::size_t axis = table.plan.columns[unstated[i]].wavelength;
-        if (!wavelengths.contains(axis)) wavelengths[axis] = glance_at_wavelengths(table, axis);
-        std::vector<double> values = store.column(i);
-        (void)take_out_fill_numbers(values);
-        if (shows_percent(used_values(options.window, wavelengths[axis], values))) {
-            return table.plan.label(unstated[i]);
+/// Throws InputError where the table has not what its file declares. Of values that are multiplied, the numbers before
+/// or after it may be declared.
+void check_table(const DescribedTable& table, const std::vector<double>& wavelengths, std::vector<double> values) {
+    const std::string& source = table.columns.source;
+    if (table.statements.factor != 1) {
+        try {
+            check_declared(source, table.statements.declared, wavelengths, values);
+            return;
+        } catch (const InputError&) {
+            for (double& each : values) each *= table.statements.factor;
         }
     }
-    return {};
-}
-
-/// The wavelengths of a column, and the rows of the table that have one. In tables of several columns of wavelengths
-/// these may be of different lengths; elsewhere each row needs its own.
-struct Axis {
-    std::vector<bool> has_number{};  ///< for each row of the table
-    std::vector<std::size_t> rows{};
-    std::vector<double> numbers{};      ///< as in the file
-    std::vector<double> all_numbers{};  ///< and those that are left out
-    Grid grid{};
-    std::string remark{};
-};
-
-/// Where the unit is stated, numbers outside the range of wavelengths are no slip: of the thermal infrared, say. Throws
-/// InputError where nothing else is left.
-void leave_out_far(Axis& axis, const Abscissa& abscissa, const std::string& where) {
-    const std::vector<double> nm = wavelengths_nm(abscissa, axis.numbers);
-    Axis kept;
-    for (std::size_t i = 0; i < nm.size(); ++i) {
-        if (!wavelength_range_nm.contains(nm[i])) continue;
-        kept.rows.push_back(axis.rows[i]);
-        kept.numbers.push_back(axis.numbers[i]);
-    }
-    if (kept.rows.empty()) {
-        throw InputError({.where = where,
-                          .problem = fmt::format("{} to {} {} are {:g} to {:g} nm", axis.numbers.front(),
-                                                 axis.numbers.back(), abscissa.name, nm.front(), nm.back()),
-                          .why = fmt::format("wavelengths lie between {} and {} nm", wavelength_range_nm.lowest,
-                                             wavelength_range_nm.highest),
-                          .remedy = "correct the unit in the header, or measure visible light"});
-    }
-    axis.rows = std::move(kept.rows);
-    axis.numbers = std::move(kept.numbers);
-}
-
-Axis axis_of(const DescribedTable& table, std::size_t wavelength, bool may_end_early) {
-    const Columns& columns = table.columns;
-    const std::array<std::size_t, 1> wanted{wavelength};
-    const NumberTable numbers = read_number_table(columns, wanted);
-    Axis axis;
-    for (std::size_t row = 0; row < numbers.cells.size(); ++row) {
-        axis.has_number.push_back(!std::isnan(numbers.cells[row]));
-        if (!axis.has_number.back()) continue;
-        axis.rows.push_back(row);
-        axis.numbers.push_back(numbers.cells[row]);
-    }
-    if (axis.rows.size() < numbers.cells.size() && !may_end_early) (void)read_numbers(columns, wanted);
-    if (axis.rows.empty()) (void)read_numbers(columns, wanted);
-    axis.all_numbers = axis.numbers;
-    const Abscissa& abscissa = table.plan.columns[wavelength].abscissa;
-    if (!abscissa.is_nm()) {
-        leave_out_far(axis, abscissa, fmt::format("{}: {}", columns.source, label(columns, wavelength)));
-        axis.remark = fmt::format("{} to {} {} are read as wavelengths in vacuum", axis.numbers.front(),
-                                  axis.numbers.back(), abscissa.name);
-    }
-    axis.grid = make_grid(wavelengths_nm(abscissa, axis.numbers), [&](std::size_t i) {
-        const std::size_t line = columns.rows[axis.rows[i]].line;
-        return GridPlace{.where = at_line(columns, line), .which = fmt::format("line {}", line)};
-    });
-    return axis;
+    check_declared(source, table.statements.declared, wavelengths, values);
 }
 
 /// Throws InputError for a value without a wavelength.
@@ -163,8 +81,9 @@ void require_wavelengths(const DescribedTable& table, const Axis& axis, std::siz
 /// Reads the chosen columns of one table.
 class ColumnReader {
 public:
-    ColumnReader(const DescribedTable& table, const ReadOptions& options, std::vector<ColumnChoice> choices)
-        : table_(table), options_(options), choices_(std::move(choices)) {
+    ColumnReader(const DescribedTable& table, const ReadOptions& options, std::vector<ColumnChoice> choices,
+                 std::string percent_in)
+        : table_(table), options_(options), choices_(std::move(choices)), percent_in_(std::move(percent_in)) {
         for (const ColumnChoice& choice : choices_) {
             wanted_.push_back(choice.value);
             if (choice.sigma) wanted_.push_back(*choice.sigma);
@@ -172,22 +91,27 @@ public:
     }
 
     std::vector<Spectrum> read() {
-        const NumberTable numbers = read_number_table(table_.columns, wanted_);
+        const NumberTable numbers = read_in_window();
         ColumnStore store(numbers);
-        percent_in_ = column_in_percent(table_, options_);
+        empty_ = empty_rows(table_, numbers);
         std::vector<Spectrum> spectra;
         std::size_t at = 0;
         for (const ColumnChoice& choice : choices_) {
             const std::size_t value_at = at++;
-            const std::optional<std::size_t> sigma_at = choice.sigma ? std::optional(at++) : std::nullopt;
+            const std::size_t sigma_at = choice.sigma ? at++ : value_at;
             if (numbers.holds_words[value_at]) continue;
-            if (sigma_at && numbers.holds_words[*sigma_at])
+            if (choice.sigma && numbers.holds_words[sigma_at])
                 (void)read_numbers(table_.columns, std::array{*choice.sigma});
             std::vector<double> value = store.column(value_at);
             const std::optional<double> fill = take_out_fill_numbers(value);
-            spectra.push_back(read(choice, value, sigma_at ? store.column(*sigma_at) : std::vector<double>{}));
+            const std::size_t zeros = empty_.take_out_zeros(choice.wavelength, value);
+            spectra.push_back(read(choice, value, choice.sigma ? store.column(sigma_at) : std::vector<double>{}));
             if (fill) {
                 spectra.back().remarks.push_back(fmt::format("readings of {} stand for missing values", *fill));
+            }
+            if (zeros > 0) {
+                spectra.back().remarks.push_back(
+                    fmt::format("{} readings that are 0 in every spectrum stand for missing values", zeros));
             }
         }
         if (spectra.empty()) (void)read_numbers(table_.columns, std::array{choices_.front().value});
@@ -200,7 +124,8 @@ private:
         if (is_new) {
             const bool paired =
                 std::ranges::count(table_.plan.columns, ColumnRole::wavelength, &PlannedColumn::role) > 1;
-            found->second = skinfit::axis_of(table_, wavelength, paired);
+            const std::vector<bool> all(table_.columns.rows.size(), true);
+            found->second = skinfit::axis_of(table_, wavelength, paired ? all : empty_.has_no_reading);
         }
         return found->second;
     }
@@ -215,25 +140,42 @@ private:
             value.push_back(all_values[row]);
             if (choice.sigma) sigma.push_back(all_sigmas[row]);
         }
-        if (choice.sole) check_declared(table_.columns.source, table_.statements.declared, axis.all_numbers, value);
+        const bool is_paired = axes_.size() > 1;
+        if (!is_paired && choice.sole) check_table(table_, axis.all_numbers, value);
+        if (!is_paired && !choice.sole) {
+            check_declared(table_.columns.source, declared_of_several(table_.statements.declared), axis.all_numbers,
+                           {});
+        }
         for (double& each : value) each *= table_.statements.factor;
         for (double& each : sigma) each *= table_.statements.factor;
         Spectrum spectrum = described(table_, choice, choices_.size());
         if (!axis.remark.empty()) spectrum.remarks.push_back(axis.remark);
-        if (choice.sigma) take_sigma(spectrum, *choice.sigma, sigma);
         UnitStatements unit = unit_statements(table_, choice.value, options_);
         unit.percent_in = percent_in_;
+        if (choice.sigma) {
+            const std::vector<double> used = used_values(options_.window, axis.grid, value);
+            take_sigma(spectrum, *choice.sigma, sigma, used.empty() ? Unit::fraction : find_unit(unit, used).unit);
+        }
         take_readings(spectrum, axis.grid, {.value = value, .sigma = sigma}, unit);
         return spectrum;
     }
 
-    /// Uncertainties that are 0 throughout, as of a computation without noise, are none.
-    void take_sigma(Spectrum& spectrum, std::size_t column, std::vector<double>& sigma) const {
-        if (std::ranges::all_of(sigma, [](double each) { return each == 0; })) {
-            spectrum.remarks.push_back(fmt::format("{} is 0 throughout, which states no uncertainty",
-                                                   in_quotes(label(table_.columns, column))));
+    /// Uncertainties that are 0 throughout, as of a computation without noise, are none; those that state percent
+    /// beside fractions may be relative.
+    void take_sigma(Spectrum& spectrum, std::size_t column, std::vector<double>& sigma, Unit unit) const {
+        const std::optional<Unit> own = table_.plan.columns[column].states.unit;
+        const bool may_be_relative = own == Unit::percent && unit == Unit::fraction;
+        const bool is_none = std::ranges::all_of(sigma, [](double each) { return each == 0; });
+        if (is_none || may_be_relative) {
+            const std::string name = in_quotes(label(table_.columns, column));
+            spectrum.remarks.push_back(
+                is_none ? fmt::format("{} is 0 throughout, which states no uncertainty", name)
+                        : fmt::format("left out: {} (in percent beside fractions it may be relative)", name));
             sigma.clear();
             return;
+        }
+        if (own == Unit::fraction && unit == Unit::percent) {
+            for (double& each : sigma) each *= 100;  // taken as percent with the values
         }
         const std::string& stated = table_.description.sigma_source;
         const std::string& name = table_.plan.columns[column].name;
@@ -242,34 +184,80 @@ private:
         spectrum.sigma_source = stated.empty() ? given : stated;
     }
 
+    /// The numbers of the wanted columns. A word among them is refused in the window only.
+    [[nodiscard]] NumberTable read_in_window() const {
+        const WavelengthWindow& window = options_.window;
+        if (window.range.lowest_nm <= 0 && std::isinf(window.range.highest_nm) && window.excluded.empty()) {
+            return read_number_table(table_.columns, wanted_);
+        }
+        Columns inside = table_.columns;
+        std::vector<bool> is_inside(inside.rows.size(), false);
+        for (const ColumnChoice& choice : choices_) {
+            const std::vector<double> nm = glance_at_wavelengths(table_, choice.wavelength);
+            for (std::size_t row = 0; row < nm.size(); ++row) {
+                is_inside[row] = is_inside[row] || std::isnan(nm[row]) || window.contains(nm[row]);
+            }
+        }
+        std::size_t row = 0;
+        std::erase_if(inside.rows, [&](const Row&) { return !is_inside[row++]; });
+        if (!inside.rows.empty()) (void)read_number_table(inside, wanted_);
+        return glance_at_numbers(table_.columns, wanted_);
+    }
+
     const DescribedTable& table_;
     const ReadOptions& options_;
     std::vector<ColumnChoice> choices_;
+    std::string percent_in_;
     std::vector<std::size_t> wanted_{};
+    EmptyRows empty_{};
     std::map<std::size_t, Axis> axes_{};
-    std::string percent_in_{};
 };
+
+/// The spectra of one part of a table.
+std::vector<Spectrum> read_part(const TablePart& part, const ReadOptions& options, const std::string& percent_in) {
+    const DescribedTable& table = part.table;
+    const bool is_part = !part.name.empty();
+    std::vector<ColumnChoice> choices = options.column && !is_part
+                                            ? std::vector{choose_column(table.columns, table.plan, options.column)}
+                                            : all_columns(table.columns, table.plan);
+    const bool sole = choices.size() == 1;
+    std::vector<Spectrum> spectra = ColumnReader(table, options, std::move(choices), percent_in).read();
+    if (!is_part) return spectra;
+    const ValueStatement stated = values_stated(part.name);
+    for (Spectrum& spectrum : spectra) {
+        spectrum.name = sole ? part.name : part.name + " " + spectrum.name;
+        if (stated.quantity) spectrum.quantity = stated.quantity;
+        if (const auto specular = specular_stated(part.name)) spectrum.geometry.specular = specular;
+        spectrum.line = table.columns.rows.front().line;
+    }
+    return spectra;
+}
 
 }  // namespace
 
 std::vector<Spectrum> read_columns(std::string_view text, const std::string& source, const ReadOptions& options) {
-    const DescribedTable table = described_table(text, source);
-    std::vector<ColumnChoice> choices = options.column
-                                            ? std::vector{choose_column(table.columns, table.plan, options.column)}
-                                            : all_columns(table.columns, table.plan);
-    return ColumnReader(table, options, std::move(choices)).read();
+    DescribedTable table = described_table(text, source);
+    const std::string percent_in = column_in_percent(table, options);
+    const std::vector<TablePart> parts = parts_of(std::move(table));
+    std::vector<Spectrum> spectra;
+    for (const TablePart& part : parts)
+        std::ranges::move(read_part(part, options, percent_in), std::back_inserter(spectra));
+    if (parts.size() > 1 && options.column) return {choose_spectrum(std::move(spectra), source, *options.column)};
+    return spectra;
 }
 
 void refuse_several_columns(std::string_view text, const std::string& source) {
-    const DescribedTable table = described_table(text, source);
-    (void)choose_column(table.columns, table.plan, std::nullopt);
+    const std::vector<TablePart> parts = parts_of(described_table(text, source));
+    if (parts.size() == 1) (void)choose_column(parts[0].table.columns, parts[0].table.plan, std::nullopt);
 }
 
 ValuePlace place_in_columns(std::string_view text, const std::string& source, const ReadOptions& options,
                             double wavelength_nm) {
-    const DescribedTable table = described_table(text, source);
+    const std::vector<TablePart> parts = parts_of(described_table(text, source));
+    if (parts.size() > 1) return {.where = source};
+    const DescribedTable& table = parts.front().table;
     const ColumnChoice choice = choose_column(table.columns, table.plan, options.column);
-    const Axis axis = axis_of(table, choice.wavelength, true);
+    const Axis axis = axis_of(table, choice.wavelength, std::vector<bool>(table.columns.rows.size(), true));
     const std::vector<double> nm = wavelengths_nm(table.plan.columns[choice.wavelength].abscissa, axis.numbers);
     const auto at = static_cast<std::size_t>(std::ranges::find(nm, wavelength_nm) - nm.begin());
     return {.where = at_line(table.columns, table.columns.rows[axis.rows[at]].line),

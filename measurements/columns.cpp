@@ -14,27 +14,11 @@
 #include "measurements/header.hpp"
 #include "measurements/limits.hpp"
 #include "measurements/table_block.hpp"
+#include "measurements/table_refusals.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
 namespace {
-
-[[noreturn]] void refuse_word(const Columns& columns, std::size_t line, std::string_view word) {
-    throw InputError({.where = at_line(columns, line),
-                      .problem = fmt::format("starts with the word {}", in_quotes(word)),
-                      .why = "between the header and the last reading, every line is a wavelength and its values",
-                      .remedy = "delete this line or put # in front of it, or leave an empty line before text that "
-                                "stands below the numbers"});
-}
-
-[[noreturn]] void refuse_width(const Columns& columns, std::size_t line, std::size_t found, std::size_t first_line,
-                               std::size_t width) {
-    throw InputError({.where = at_line(columns, line),
-                      .problem = fmt::format("has {} field{}", found, found == 1 ? "" : "s"),
-                      .why = fmt::format("line {} has {}", first_line, width),
-                      .remedy = "give every line one field per column, put names with separators in double quotes and "
-                                "# before a title, and write decimal points, not commas"});
-}
 
 void check_column_count(const Columns& columns) {
     if (columns.width <= most_columns) return;
@@ -61,11 +45,13 @@ bool is_two_numbers(std::string_view cell) {
            parse_number(trimmed(cell.substr(blank)));
 }
 
-Shape shape_of(std::span<const Row> rows, char separator) {
+Shape shape_of(std::span<const Row> rows, const TableForm& form) {
+    const char separator = form.separator;
     Shape shape;
     CellCutter cutter(separator);
     for (const Row& row : rows) {
-        const RowShape found = cutter.shape(row.text);
+        RowShape found = cutter.shape(row.text);
+        if (form.first > 0 && found.filled > form.first) found.first = cutter.cut(row.text)[form.first];
         if (shape.first_width == 0) shape.first_width = found.width;
         shape.same_width = shape.same_width && found.width == shape.first_width;
         shape.widest = std::max(shape.widest, found.filled);
@@ -163,6 +149,18 @@ void refuse_slip_in_first_row(const Columns& columns, std::span<const Row> words
     refuse_word(columns, words.back().line, cells.front());
 }
 
+/// A header one shorter than the rows, each of which begins with its number or a quoted name: R's write.table wrote it.
+bool has_row_names(const Columns& columns, std::size_t named_width, const Shape& shape) {
+    if (!shape.same_width || shape.widest != shape.first_width || named_width + 1 != shape.first_width) return false;
+    CellCutter cutter(columns.separator);
+    for (std::size_t i = 0; i < std::min<std::size_t>(columns.rows.size(), 3); ++i) {
+        const std::string_view line = trimmed(columns.rows[i].text);
+        const bool counts = parse_number(cutter.cut(line).front()) == static_cast<double>(i + 1);
+        if (!counts && !line.starts_with('"')) return false;
+    }
+    return true;
+}
+
 /// Names the columns by the last of the lines above the numbers; those above it are the preamble.
 void take_words(Columns& columns, std::span<const Row> words, const Shape& shape) {
     columns.width = std::min(shape.first_width, shape.widest);
@@ -171,14 +169,20 @@ void take_words(Columns& columns, std::span<const Row> words, const Shape& shape
     const std::span<const std::string_view> last = cutter.cut(words.back().text);
     const std::size_t named_width = std::min(last.size(), std::max(filled_width(last), shape.widest));
     if (named_width <= shape.first_width && named_width >= shape.widest) columns.width = named_width;
+    const std::size_t unnamed = has_row_names(columns, named_width, shape) ? 1 : 0;
     refuse_slip_in_first_row(columns, words, columns.width);
-    Header header = is_statement_key(last.front()) ? Header{} : find_header(words, columns.width, columns.separator);
+    Header header = find_header(words, columns.width - unnamed, columns.separator);
+    if (header.line == words.back().line && is_statement_key(last.front())) header = {};
+    if (header.lines > 0 && unnamed > 0) header.names.insert(header.names.begin(), std::string{});
     if (header.lines == 0 && is_meant_as_header(words.back().text)) {
-        header = {.lines = 1, .names = {last.begin(), last.begin() + static_cast<std::ptrdiff_t>(named_width)}};
+        header = {.lines = 1,
+                  .line = words.back().line,
+                  .names = {last.begin(), last.begin() + static_cast<std::ptrdiff_t>(named_width)}};
         columns.width = named_width;
     }
     columns.names = std::move(header.names);
-    if (header.lines > 0) columns.header_line = words[words.size() - header.lines].line;
+    columns.titles = std::move(header.titles);
+    columns.header_line = header.line;
     for (const Row& row : words.first(words.size() - header.lines)) {
         columns.preamble.push_back({.line = row.line, .text = trimmed(row.text)});
     }
@@ -241,24 +245,28 @@ Columns split_columns(std::string_view text, const std::string& source) {
     Columns columns;
     columns.source = source;
     columns.comments = std::move(comments);
-    columns.separator = find_separator(rows);
+    const TableForm form = find_table_form(rows);
+    columns.separator = form.separator;
+    columns.first = form.first;
     drop_empty(rows, columns.separator);
-    auto [words, table, after] = find_table(std::move(rows), columns.separator);
+    auto [words, table, after] = find_table(std::move(rows), form);
     columns.rows = std::move(table);
     if (columns.rows.empty()) {
         CellCutter cutter(columns.separator);
+        refuse_unknown_wavelengths(columns, words);
         if (words.size() > 1) refuse_word(columns, words[1].line, cutter.cut(words[1].text).front());
         throw InputError({.where = source,
                           .problem = is_empty ? "is empty" : "holds no numbers",
                           .why = "lines of a wavelength and its values are needed",
                           .remedy = "check that the file is complete"});
     }
-    for (const Row& row : after) columns.epilogue.push_back({.line = row.line, .text = trimmed(row.text)});
-    const Shape shape = shape_of(columns.rows, columns.separator);
-    if (shape.word) {
-        CellCutter cutter(columns.separator);
-        refuse_word(columns, shape.word->line, cutter.cut(shape.word->text).front());
+    if (columns.rows.size() > 1 && is_header_of_numbers(columns.rows[0], columns.rows[1], columns.separator)) {
+        words.push_back(columns.rows.front());
+        columns.rows.erase(columns.rows.begin());
     }
+    for (const Row& row : after) columns.epilogue.push_back({.line = row.line, .text = trimmed(row.text)});
+    const Shape shape = shape_of(columns.rows, form);
+    if (shape.word) refuse_word_among(columns, *shape.word, words);
     take_words(columns, words, shape);
     if (columns.names.empty()) take_header_from_comment(columns);
     name_sig_columns(columns);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <span>
 
 #include "core/geometry.hpp"
@@ -14,71 +16,11 @@
 #include "measurements/cells.hpp"
 #include "measurements/columns.hpp"
 #include "measurements/limits.hpp"
+#include "measurements/wavelength_name.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
 namespace {
-
-/// The name of a column taken apart: `R_400nm` is `r`, 400, `nm`.
-struct NumberName {
-    std::string prefix;
-    double number;
-    std::string suffix;
-};
-
-std::string_view without_marks(std::string_view text) {
-    const auto is_mark = [](char c) { return contains(" _-.()[]:=@", {&c, 1}); };
-    while (!text.empty() && is_mark(text.back())) text.remove_suffix(1);
-    while (!text.empty() && is_mark(text.front())) text.remove_prefix(1);
-    return text;
-}
-
-/// Known prefixes only: `subject 401` is no wavelength.
-std::optional<NumberName> number_name(std::string_view name) {
-    static constexpr std::array<std::string_view, 29> prefixes = {"",
-                                                                  "spec",
-                                                                  "spectral",
-                                                                  "spectral_nm",
-                                                                  "nm",
-                                                                  "wl",
-                                                                  "wv",
-                                                                  "wvl",
-                                                                  "w",
-                                                                  "wave",
-                                                                  "wavelength",
-                                                                  "lambda",
-                                                                  "l",
-                                                                  "x",
-                                                                  "r",
-                                                                  "refl",
-                                                                  "reflectance",
-                                                                  "rfl",
-                                                                  "rho",
-                                                                  "%r",
-                                                                  "t",
-                                                                  "trans",
-                                                                  "transmittance",
-                                                                  "%t",
-                                                                  "a",
-                                                                  "abs",
-                                                                  "absorbance",
-                                                                  "wavelength_nm",
-                                                                  "lambda_nm"};
-    static constexpr std::array<std::string_view, 6> suffixes = {"", "nm", "um", "cm-1", "1/cm", "thz"};
-    const std::string plain = plain_text(name);
-    const std::size_t begin = plain.find_first_of("0123456789");
-    if (begin == std::string::npos) return std::nullopt;
-    const std::size_t end = std::min(plain.find_first_not_of("0123456789.", begin), plain.size());
-    std::string_view digits = std::string_view(plain).substr(begin, end - begin);
-    if (digits.ends_with('.')) digits.remove_suffix(1);
-    const std::optional<double> number = parse_number(digits);
-    NumberName found{.prefix = std::string(without_marks(std::string_view(plain).substr(0, begin))),
-                     .number = number.value_or(0),
-                     .suffix = std::string(without_marks(std::string_view(plain).substr(end)))};
-    const bool known = std::ranges::find(prefixes, found.prefix) != prefixes.end() &&
-                       std::ranges::find(suffixes, found.suffix) != suffixes.end();
-    return known && number && std::isfinite(*number) ? std::optional(found) : std::nullopt;
-}
 
 char separator_of(std::string_view line) {
     constexpr std::array marks = {',', ';', '\t'};
@@ -93,6 +35,20 @@ bool is_monotonic(std::span<const double> numbers) {
 
 bool are_wavelengths(std::span<const double> nm) {
     return std::ranges::all_of(nm, [](double each) { return wavelength_range_nm.contains(each); }) && is_monotonic(nm);
+}
+
+/// The same of a header, in which one of ten may be out of the range, or begin what another detector has measured.
+bool are_mostly_wavelengths(std::span<const double> nm) {
+    constexpr std::size_t share = 10;  // chosen
+    std::vector<double> inside;
+    std::ranges::copy_if(nm, std::back_inserter(inside),
+                         [](double each) { return wavelength_range_nm.contains(each); });
+    if (share * (nm.size() - inside.size()) > nm.size() || inside.size() < 2) return false;
+    std::size_t up = 0;
+    for (std::size_t i = 1; i < inside.size(); ++i) up += inside[i] > inside[i - 1] ? 1 : 0;
+    std::size_t down = 0;
+    for (std::size_t i = 1; i < inside.size(); ++i) down += inside[i] < inside[i - 1] ? 1 : 0;
+    return share * (inside.size() - 1 - std::max(up, down)) <= inside.size() - 1;
 }
 
 /// The first lines of a text with something on them.
@@ -121,6 +77,13 @@ TopLines top_lines(std::string_view text) {
     return top;
 }
 
+constexpr double clearly_wider = 2;  // chosen: names of specimens seldom span half as much as a spectrum
+
+/// The corner of a data frame.
+bool is_nameless(std::string_view corner) {
+    return corner.empty() || lower_case(corner).starts_with("unnamed");
+}
+
 /// How far wavelengths reach that may stand in the first column below the header; 0 where these are none.
 double span_of_first_column(const RowHeader& header, std::span<const Row> below) {
     std::vector<double> numbers;
@@ -132,7 +95,8 @@ double span_of_first_column(const RowHeader& header, std::span<const Row> below)
         if (!number && !parse_number(cells.front())) return 0;
         numbers.push_back(number ? *number : *parse_number(cells.front()));
     }
-    const std::optional<Abscissa> corner = abscissa_stated(header.labels.front());
+    const std::optional<Abscissa> corner =
+        is_nameless(header.labels.front()) ? Abscissa{.name = "nm"} : abscissa_stated(header.labels.front());
     if (numbers.empty() || !corner || !corner->unusable.empty()) return 0;
     const std::vector<double> nm = wavelengths_nm(*corner, numbers);
     return are_wavelengths(nm) ? std::abs(nm.back() - nm.front()) : 0;
@@ -144,11 +108,14 @@ bool corner_speaks_of_wavelengths(const RowHeader& header) {
 
 /// Where the corner speaks of wavelengths, how much wider the range of the header is than that of the first column.
 std::optional<double> range_ratio(const RowHeader& header, std::span<const Row> below) {
-    if (!corner_speaks_of_wavelengths(header)) return std::nullopt;
+    const bool nameless = is_nameless(header.labels.front());
+    if (!corner_speaks_of_wavelengths(header) && !nameless) return std::nullopt;
     const std::vector<double> nm = header.wavelength_nm();
     const double along = std::abs(nm.back() - nm.front());
     const double down = span_of_first_column(header, below);
-    return down > 0 ? along / down : HUGE_VAL;
+    const double ratio = down > 0 ? along / down : HUGE_VAL;
+    // Without a word for wavelengths the rows may be called by any numbers.
+    return nameless && ratio > 1 / clearly_wider ? std::nullopt : std::optional(ratio);
 }
 
 struct FoundHeader {
@@ -156,10 +123,28 @@ struct FoundHeader {
     std::span<const Row> below;
 };
 
+/// The cells of `below`, cut as the header is.
+std::size_t width_of(const Row& header, const Row& below) {
+    CellCutter cutter(separator_of(header.text));
+    return filled_width(cutter.cut(below.text));
+}
+
+/// What a line above the header says of each block: `,SCI,SCI,...,SCE,SCE,...`.
+void take_line_above(RowHeader& header, const Row& above) {
+    CellCutter cutter(header.separator);
+    const std::span<const std::string_view> cells = cutter.cut(above.text);
+    if (cells.size() < header.width || header.line != above.line + 1) return;
+    for (RowBlock& block : header.blocks) {
+        if (block.about.empty()) block.about = unescaped(cells[block.first_value]);
+    }
+}
+
 std::optional<FoundHeader> header_among(const TopLines& top) {
     for (std::size_t i = 0; i < top.rows.size(); ++i) {
         const std::span<const Row> below = std::span(top.rows).subspan(i + 1);
-        std::optional<RowHeader> header = row_header_in(top.rows[i].text, top.rows[i].line);
+        std::optional<RowHeader> header =
+            row_header_in(top.rows[i].text, top.rows[i].line, below.empty() ? 0 : width_of(top.rows[i], below.front()));
+        if (header && i > 0) take_line_above(*header, top.rows[i - 1]);
         if (header && i > 0) {  // a line of prose may look like one
             CellCutter cutter(header->separator);
             if (below.empty() || cutter.cut(below.front().text).size() != header->width) header.reset();
@@ -175,45 +160,61 @@ std::optional<FoundHeader> header_among(const TopLines& top) {
     return FoundHeader{.header = std::move(*header), .below = top.rows};
 }
 
-constexpr double clearly_wider = 2;  // chosen: names of specimens seldom span half as much as a spectrum
-
 }  // namespace
 
-std::optional<RowHeader> row_header_in(std::string_view line, std::size_t number) {
+std::optional<RowHeader> row_header_in(std::string_view line, std::size_t number, std::size_t row_width) {
     constexpr std::size_t fewest = 3;
     if (line.size() > longest_line_bytes) return std::nullopt;
     RowHeader header{.line = number, .separator = separator_of(line)};
     CellCutter cutter(header.separator);
     const std::span<const std::string_view> all = cutter.cut(line);
-    header.width = filled_width(all);
-    std::optional<NumberName> first;
-    for (std::size_t i = 0; i < header.width; ++i) {
-        const std::optional<NumberName> named = number_name(all[i]);
-        const bool goes_on = first && header.first_value + header.numbers.size() == i;
-        const bool fits =
-            named && (!first || (goes_on && named->prefix == first->prefix && named->suffix == first->suffix));
-        if (!fits) {
-            header.label.push_back(i);
-            header.labels.push_back(unescaped(all[i]));
+    const std::size_t named_width = filled_width(all);
+    const std::size_t shift = row_width == named_width + 1 && wavelength_named(all.front(), false) ? 1 : 0;
+    header.width = named_width + shift;
+    std::map<std::size_t, std::string> labels;
+    if (shift > 0) labels[0] = {};
+    std::string unit;
+    std::optional<WavelengthName> last;
+    for (std::size_t i = 0; i < named_width; ++i) {
+        const std::optional<WavelengthName> named = wavelength_named(all[i], header.separator != ',');
+        if (!named || (!unit.empty() && named->unit != unit)) {
+            labels[i + shift] = unescaped(all[i]);
+            last = std::nullopt;
             continue;
         }
-        if (!first) {
-            first = named;
-            header.first_value = i;
-        }
-        header.numbers.push_back(named->number);
+        const bool goes_on = last && named->about == last->about && named->number != header.blocks.back().numbers[0];
+        if (!goes_on) header.blocks.push_back({.first_value = i + shift, .about = named->about});
+        header.blocks.back().numbers.push_back(named->number);
+        if (unit.empty()) unit = named->unit;
+        last = named;
     }
-    if (header.label.empty() || header.label.front() != 0 || header.numbers.size() < fewest) return std::nullopt;
-    if (!first->suffix.empty()) header.abscissa = abscissa_stated(first->suffix);
+    // Too few wavelengths to be any, or other numbers.
+    const Abscissa by_unit = unit.empty() ? Abscissa{} : abscissa_stated(unit).value_or(Abscissa{});
+    std::erase_if(header.blocks, [&](const RowBlock& block) {
+        const bool few = block.numbers.size() < fewest;
+        const bool whole = header.blocks.size() == 1 && !few;  // judged below, with what the labels state
+        if (whole || (!few && are_mostly_wavelengths(wavelengths_nm(by_unit, block.numbers)))) return false;
+        for (std::size_t i = 0; i < block.numbers.size(); ++i) {
+            labels[block.first_value + i] = unescaped(all[block.first_value + i - shift]);
+        }
+        return true;
+    });
+    for (auto& [cell, label] : labels) {
+        header.label.push_back(cell);
+        header.labels.push_back(std::move(label));
+    }
+    if (header.label.empty() || header.label.front() != 0 || header.blocks.empty()) return std::nullopt;
+    if (!unit.empty()) header.abscissa = abscissa_stated(unit);
     for (const std::size_t before :
-         {header.first_value, std::size_t{1}}) {  // the label at the numbers, then the corner
+         {header.blocks.front().first_value, std::size_t{1}}) {  // the label at the numbers, then the corner
         if (header.abscissa || before == 0 || before > header.labels.size()) continue;
         header.abscissa = abscissa_in_corner(header.labels[before - 1]);
     }
-    header.states = values_stated_by_letter(first->prefix == "a" ? "A" : first->prefix);  // `a400` is no name
-    if (header.states.is_empty()) header.states = values_stated_wholly(header.labels.front());
     const bool usable = !header.abscissa || header.abscissa->unusable.empty();
-    return usable && are_wavelengths(header.wavelength_nm()) ? std::optional(header) : std::nullopt;
+    const bool known = usable && std::ranges::all_of(header.blocks, [&](const RowBlock& block) {
+                           return are_mostly_wavelengths(header.wavelength_nm(block));
+                       });
+    return known ? std::optional(header) : std::nullopt;
 }
 
 std::optional<RowHeader> find_row_header(std::string_view text) {

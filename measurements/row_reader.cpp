@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "core/geometry.hpp"
 #include "core/input_error.hpp"
 #include "core/text.hpp"
 #include "measurements/cell_numbers.hpp"
@@ -15,21 +16,17 @@
 #include "measurements/columns.hpp"
 #include "measurements/description.hpp"
 #include "measurements/file_statements.hpp"
+#include "measurements/header.hpp"
 #include "measurements/readers.hpp"
+#include "measurements/row_blocks.hpp"
 #include "measurements/row_header.hpp"
+#include "measurements/row_uncertainties.hpp"
 #include "measurements/spectrum_building.hpp"
+#include "measurements/uncertainty_name.hpp"
 #include "measurements/words.hpp"
 
 namespace skinfit {
 namespace {
-
-/// One row: its spectrum without numbers, and these.
-struct ReadRow {
-    Spectrum spectrum;
-    std::vector<double> values;  ///< NaN where one is missing
-    std::optional<Unit> unit;    ///< that its labels state
-    std::string told_apart;      ///< what its labels state of quantity and specular
-};
 
 /// A text of rows taken apart.
 class RowReader {
@@ -47,42 +44,41 @@ public:
         const std::vector<FileNote> notes = notes_in(prose);
         description_.notes.insert(description_.notes.end(), notes.begin(), notes.end());
         statements_ = statements_in(source, comments, prose);
-        decimal_comma_ = header.separator != ',' && header.separator != ' ' &&
-                         std::ranges::any_of(rows_, [](const Row& row) { return contains(row.text, ","); });
-        take_grid();
+        decimal_comma_ = has_decimal_commas(header, rows_);
+        blocks_ = value_blocks(header, source, statements_);
     }
 
     std::vector<Spectrum> read() {
         std::vector<ReadRow> rows = read_rows();
+        check_declared_numbers(rows);
+        for (ReadRow& row : rows) {
+            for (double& value : row.values) value *= statements_.factor;
+        }
+        take_out_zero_bands(rows, blocks_);
+        take_uncertainty_rows(rows);
         tell_names_apart(rows);
         const std::string percent_in = row_in_percent(rows);
         std::vector<Spectrum> spectra;
         for (ReadRow& row : rows) {
             UnitStatements unit = unit_statements(row);
             unit.percent_in = percent_in;
-            for (double& value : row.values) value *= statements_.factor;
-            take_readings(row.spectrum, grid_, {.value = row.values}, unit);
+            take_readings(row.spectrum, blocks_[row.block].grid, {.value = row.values, .sigma = row.sigma}, unit);
             if (!row.spectrum.value.empty()) spectra.push_back(std::move(row.spectrum));
         }
         return spectra;
     }
 
 private:
-    void take_grid() {
-        RowHeader header = header_;
-        if (!header.abscissa) header.abscissa = statements_.abscissa;
-        if (header.abscissa) {
-            refuse_unusable(*header.abscissa, fmt::format("{}:{}", source_, header.line));
-            if (!header.abscissa->is_nm()) {
-                statements_.remarks.push_back(fmt::format("{} to {} {} are read as wavelengths in vacuum",
-                                                          header.numbers.front(), header.numbers.back(),
-                                                          header.abscissa->name));
-            }
-        }
-        grid_ = make_grid(header.wavelength_nm(), [&](std::size_t i) {
-            return GridPlace{.where = fmt::format("{}:{}", source_, header.line),
-                             .which = fmt::format("value {}", i + 1)};
+    /// What the file declares of a single spectrum, or of the wavelengths of several.
+    void check_declared_numbers(const std::vector<ReadRow>& rows) const {
+        std::vector<Declared> declared =
+            rows.size() > 1 ? declared_of_several(statements_.declared) : statements_.declared;
+        std::erase_if(declared, [&](const Declared& each) {
+            return each.meaning == "count" && each.number == static_cast<double>(rows.size());
         });
+        const bool sole = rows.size() == 1 && statements_.factor == 1;
+        check_declared(source_, declared, header_.blocks.front().numbers,
+                       sole ? rows.front().values : std::vector<double>{});
     }
 
     std::vector<ReadRow> read_rows() {
@@ -99,7 +95,10 @@ private:
                 break;
             }
             check_width(cells, rows_[i]);
-            rows.push_back(read_row(cells, rows_[i].line));
+            if (i == 0 && take_units(cells)) continue;
+            for (std::size_t b = 0; b < blocks_.size(); ++b) {
+                if (!blocks_[b].uncertainty) rows.push_back(read_row(cells, rows_[i].line, b));
+            }
         }
         return rows;
     }
@@ -119,45 +118,92 @@ private:
                           .remedy = "give every spectrum one field per name and wavelength of the header"});
     }
 
-    ReadRow read_row(std::span<const std::string_view> cells, std::size_t line) const {
-        ReadRow row{.spectrum = spectrum_of(description_), .values = {}, .unit = {}, .told_apart = {}};
+    /// A row of units below the header, as `%` under every wavelength.
+    bool take_units(std::span<const std::string_view> cells) {
+        for (ValueBlock& block : blocks_) {
+            const auto units = cells.subspan(block.cells.first_value, block.cells.numbers.size());
+            const bool all_units = std::ranges::all_of(
+                units, [](std::string_view cell) { return is_unit(cell) && !parse_number(cell) && !is_missing(cell); });
+            if (!all_units) return false;
+            const ValueStatement stated = values_stated(units.front());
+            if (stated.unit) block.states.unit = stated.unit;
+            if (!stated.unusable.empty()) block.states.unusable = stated.unusable;
+        }
+        return true;
+    }
+
+    /// The numbers of a block in one row.
+    std::vector<double> read_values(std::span<const std::string_view> cells, std::size_t line,
+                                    const ValueBlock& block) const {
+        std::vector<double> values;
+        const std::vector<double> nm = header_.wavelength_nm(block.cells);
+        for (const std::size_t i : block.used) {
+            const std::string_view cell = cells[block.cells.first_value + i];
+            const std::optional<double> number = parse_cell(cell, decimal_comma_);
+            const bool usable = number && std::isfinite(*number);
+            if (!usable && !is_missing(cell) && options_.window.contains(nm[i])) {
+                refuse_cell(fmt::format("{}:{}", source_, line), fmt::format("the value at {} nm", nm[i]), cell,
+                            decimal_comma_);
+            }
+            values.push_back(usable ? *number : std::numeric_limits<double>::quiet_NaN());
+        }
+        return values;
+    }
+
+    ReadRow read_row(std::span<const std::string_view> cells, std::size_t line, std::size_t b) const {
+        ReadRow row{.spectrum = spectrum_of(description_), .block = b};
         Spectrum& spectrum = row.spectrum;
         spectrum.source = source_;
         spectrum.line = line;
         spectrum.remarks = statements_.remarks;
-        for (std::size_t i = 0; i < header_.numbers.size(); ++i) {
-            const std::string_view cell = cells[header_.first_value + i];
-            const std::optional<double> number = parse_cell(cell, decimal_comma_);
-            const bool usable = number && std::isfinite(*number);
-            if (!usable && !is_missing(cell)) {
-                refuse_cell(fmt::format("{}:{}", source_, line),
-                            fmt::format("the value at {} nm", header_.wavelength_nm()[i]), cell, decimal_comma_);
-            }
-            row.values.push_back(usable ? *number : std::numeric_limits<double>::quiet_NaN());
-        }
+        row.values = read_values(cells, line, blocks_[b]);
         if (const auto fill = take_out_fill_numbers(row.values)) {
             spectrum.remarks.push_back(fmt::format("readings of {} stand for missing values", *fill));
         }
+        for (const ValueBlock& block : blocks_) {
+            if (!block.uncertainty || !block.uncertainty->is_standard || block.owner != b || !row.sigma.empty())
+                continue;
+            row.sigma = read_values(cells, line, block);
+            for (double& each : row.sigma) each *= statements_.factor;
+            spectrum.sigma_source = fmt::format("given by the file as {}", block.cells.about);
+        }
         take_labels(row, cells, line);
+        const std::string& about = blocks_[b].cells.about;
+        if (has_several_values()) spectrum.name += " " + (about.empty() ? std::to_string(b + 1) : about);
         return row;
+    }
+
+    [[nodiscard]] bool has_several_values() const {
+        return std::ranges::count_if(blocks_, [](const ValueBlock& block) { return !block.uncertainty; }) > 1;
+    }
+
+    /// The label that names the spectra: the first, but for row numbers without a name before another one.
+    [[nodiscard]] std::size_t name_label() const {
+        const std::string first = lower_case(header_.labels.front());
+        return header_.labels.size() > 1 && (first.empty() || first.starts_with("unnamed")) ? 1 : 0;
     }
 
     /// The spectrum's name and what else the cells beside its values say.
     void take_labels(ReadRow& row, std::span<const std::string_view> cells, std::size_t line) const {
         Spectrum& spectrum = row.spectrum;
-        spectrum.name = cells.front().empty() ? fmt::format("line {}", line) : unescaped(cells.front());
+        const std::size_t named_by = name_label();
+        const std::string_view name = cells[header_.label[named_by]];
+        spectrum.name = name.empty() ? fmt::format("line {}", line) : unescaped(name);
         if (!spectrum.quantity) spectrum.quantity = statements_.values.quantity;
         if (!spectrum.geometry.specular) spectrum.geometry.specular = statements_.specular;
-        ValueStatement stated = header_.states;
+        const ValueBlock& block = blocks_[row.block];
+        if (block.specular) spectrum.geometry.specular = block.specular;
+        ValueStatement stated = block.states;
         const ValueStatement by_name = values_stated(spectrum.name);
         if (by_name.quantity || !by_name.unusable.empty()) stated = by_name;
         if (const auto specular = specular_stated(spectrum.name)) spectrum.geometry.specular = specular;
         row.unit = by_name.unit;
         for (std::size_t i = 0; i < header_.labels.size(); ++i) {
             const std::string_view cell = cells[header_.label[i]];
-            if (cell.empty() || header_.label[i] == 0) continue;
+            if (cell.empty() || i <= named_by) continue;
             const std::string value = unescaped(cell);
             spectrum.notes.push_back({.line = line, .key = header_.labels[i], .value = value});
+            if (names_statistics(header_.labels[i])) row.statistic = value;
             const ValueStatement label = values_stated_under(header_.labels[i], value);
             const auto specular = specular_stated(header_.labels[i], value);
             if (label.quantity || !label.unusable.empty()) stated = label;
@@ -184,7 +230,7 @@ private:
 
     [[nodiscard]] UnitStatements unit_statements(const ReadRow& row) const {
         std::optional<Unit> named = row.unit ? row.unit : values_stated(header_.labels.front()).unit;
-        if (!named) named = header_.states.unit;
+        if (!named) named = blocks_[row.block].states.unit;
         if (!named) named = statements_.values.unit;
         return {.option = options_.unit, .comment = description_.unit, .named = named, .window = options_.window};
     }
@@ -197,7 +243,8 @@ private:
             const UnitStatements stated = unit_statements(row);
             if (stated.option || stated.comment) return {};
             if (stated.named) continue;
-            if (shows_percent(used_values(options_.window, grid_, row.values))) return row.spectrum.name;
+            if (shows_percent(used_values(options_.window, blocks_[row.block].grid, row.values)))
+                return row.spectrum.name;
         }
         return {};
     }
@@ -209,7 +256,7 @@ private:
     Description description_{};
     FileStatements statements_{};
     bool decimal_comma_ = false;
-    Grid grid_{};
+    std::vector<ValueBlock> blocks_{};
 };
 
 }  // namespace

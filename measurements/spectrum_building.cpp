@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "core/geometry.hpp"
@@ -23,9 +24,25 @@ std::vector<std::size_t> starts_of_runs(std::span<const double> wavelength_nm, d
     return starts;
 }
 
+/// Runs over mostly the same range are several spectra. Throws InputError for them where no wavelength comes twice, by
+/// which they would be told apart later.
+void refuse_second_spectrum(std::span<const double> wavelength_nm, std::span<const std::size_t> again,
+                            const GridPlace& start) {
+    const std::span<const double> before = wavelength_nm.first(again.front());
+    const bool repeats = std::ranges::any_of(
+        again, [&](std::size_t i) { return std::ranges::find(before, wavelength_nm[i]) != before.end(); });
+    if (repeats) return;
+    throw InputError(
+        {.where = start.where,
+         .problem = fmt::format("a second run of wavelengths begins at {} nm", wavelength_nm[again.front()]),
+         .why = "it goes over mostly the same range as the one before it, as another spectrum would",
+         .remedy = "give each spectrum a column, or a file, of its own"});
+}
+
 /// The readings of later detectors at wavelengths that an earlier one has measured; nothing where the wavelengths are
 /// no overlapping runs.
-std::vector<std::size_t> overlaps(std::span<const double> wavelength_nm) {
+std::vector<std::size_t> overlaps(std::span<const double> wavelength_nm,
+                                  const std::function<GridPlace(std::size_t)>& place) {
     constexpr std::size_t fewest_readings = 10;  // chosen: fewer may be a slip in one line
     constexpr std::size_t most_detectors = 6;    // chosen: instruments have up to three or four
     if (wavelength_nm.size() < 2 * fewest_readings) return {};
@@ -38,8 +55,16 @@ std::vector<std::size_t> overlaps(std::span<const double> wavelength_nm) {
     for (std::size_t k = 0; k + 1 < starts.size(); ++k) {
         const double last = sign * wavelength_nm[starts[k + 1] - 1];
         if (starts[k + 1] - starts[k] < fewest_readings || (k > 0 && last <= reached)) return {};
+        std::size_t shared = 0;
         for (std::size_t i = starts[k]; k > 0 && i < starts[k + 1]; ++i) {
-            if (sign * wavelength_nm[i] <= reached) left_out.push_back(i);
+            if (sign * wavelength_nm[i] > reached) continue;
+            left_out.push_back(i);
+            ++shared;
+        }
+        if (k > 0 && shared < 2) return {};  // one wavelength that comes twice is a slip
+        if (2 * shared > starts[k + 1] - starts[k]) {
+            refuse_second_spectrum(wavelength_nm, left_out, place(starts[k]));
+            return {};
         }
         reached = last;
     }
@@ -60,7 +85,7 @@ Grid make_grid(std::span<const double> wavelength_nm, const std::function<GridPl
     Grid grid;
     grid.order.resize(wavelength_nm.size());
     std::iota(grid.order.begin(), grid.order.end(), std::size_t{0});
-    if (const std::vector<std::size_t> left_out = overlaps(wavelength_nm); !left_out.empty()) {
+    if (const std::vector<std::size_t> left_out = overlaps(wavelength_nm, place); !left_out.empty()) {
         std::erase_if(grid.order, [&](std::size_t i) { return std::ranges::binary_search(left_out, i); });
         grid.remark =
             fmt::format("{} readings between {} and {} nm, where a detector overlaps the one before it, are left out",
@@ -126,6 +151,15 @@ std::vector<double> used_values(const WavelengthWindow& window, const Grid& grid
     std::vector<double> in_order;
     for (const std::size_t i : grid.order) in_order.push_back(readings[i]);
     return used_values(window, grid.wavelength_nm, in_order);
+}
+
+std::vector<Declared> declared_of_several(std::span<const Declared> declared) {
+    std::vector<Declared> sure;
+    std::ranges::copy_if(declared, std::back_inserter(sure), [](const Declared& each) {
+        const std::string key = bare_key(each.key);
+        return key != "points" && key != "channels" && key != "numberofchannels";
+    });
+    return sure;
 }
 
 std::optional<Quantity> quantity_named(std::string_view text) {

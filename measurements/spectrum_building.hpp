@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "measurements/declared.hpp"
 #include "measurements/spectrum.hpp"
 #include "measurements/unit_rule.hpp"
 
@@ -33,8 +34,8 @@ struct GridPlace {
 
 /// Sorts the wavelengths of a file, given in its order; those that are repeated stay in it. But detectors of one
 /// instrument may overlap: of two to six runs that ascend, or descend, each with ten readings or more and each going on
-/// beyond the last, a later run's readings within an earlier one are left out. Throws InputError for a wavelength
-/// outside [100, 10000] nm; `place` names the i-th.
+/// beyond the last, a later run's readings within an earlier one, two or more and at most half of it, are left out.
+/// Throws InputError for a wavelength outside [100, 10000] nm; `place` names the i-th.
 [[nodiscard]] Grid make_grid(std::span<const double> wavelength_nm, const std::function<GridPlace(std::size_t)>& place);
 
 /// The readings of one spectrum, in the order of its file: NaN where one is missing.
@@ -53,6 +54,9 @@ void take_readings(Spectrum& spectrum, const Grid& grid, const Readings& reading
 /// Of readings in the order of their file, those in the window that are numbers; all that are where it has none.
 [[nodiscard]] std::vector<double> used_values(const WavelengthWindow& window, const Grid& grid,
                                               std::span<const double> readings);
+
+/// What a file declares of its wavelengths, where it has several spectra: points and channels may then be anything.
+[[nodiscard]] std::vector<Declared> declared_of_several(std::span<const Declared> declared);
 
 /// The quantity that a column's name or a title states; nothing where it names none or both.
 [[nodiscard]] std::optional<Quantity> quantity_named(std::string_view text);

@@ -8,8 +8,10 @@
 #include <map>
 
 #include "core/input_error.hpp"
-#include "measurements/cells.hpp"
 #include "measurements/column_words.hpp"
+#include "measurements/header.hpp"
+#include "measurements/paired_columns.hpp"
+#include "measurements/table_uncertainties.hpp"
 #include "measurements/uncertainty_name.hpp"
 #include "measurements/words.hpp"
 
@@ -21,7 +23,10 @@ public:
     Planner(const Columns& columns, const FileStatements& statements) : columns_(columns), statements_(statements) {
         plan_.columns.resize(columns.width);
         plan_.remarks = statements.remarks;
-        for (std::size_t c = 0; c < columns.names.size(); ++c) plan_.columns[c].name = columns.names[c];
+        for (std::size_t c = 0; c < columns.names.size(); ++c) {
+            plan_.columns[c].name = columns.names[c];
+            plan_.columns[c].header = columns.names[c];
+        }
     }
 
     TablePlan plan() {
@@ -29,40 +34,83 @@ public:
         take_wavelengths();
         take_counters();
         take_quantities();
-        take_uncertainties();
+        take_uncertainties(plan_, header_place());
         for (const PlannedColumn& column : plan_.columns) plan_.values += column.role == ColumnRole::value ? 1 : 0;
         tell_unused();
         return std::move(plan_);
     }
 
 private:
-    [[nodiscard]] std::string_view header(std::size_t c) const {
-        return columns_.names.empty() ? std::string_view{} : std::string_view(columns_.names[c]);
-    }
+    [[nodiscard]] std::string_view header(std::size_t c) const { return plan_.columns[c].header; }
     [[nodiscard]] std::string header_place() const {
         return columns_.header_line > 0 ? at_line(columns_, columns_.header_line) : columns_.source;
     }
     [[nodiscard]] bool is(std::size_t c, ColumnRole role) const { return plan_.columns[c].role == role; }
-    void leave_out(std::size_t c, std::string reason) {
-        plan_.columns[c].role = ColumnRole::unused;
-        plan_.columns[c].reason = std::move(reason);
+    void leave_out(std::size_t c, std::string reason) { plan_.columns[c].leave_out(std::move(reason)); }
+
+    /// What a line about the names gives each column; one cell may stand above several.
+    [[nodiscard]] std::vector<std::string> cells_above(const TitleLine& title) const {
+        std::vector<std::string> cells = title.cells;
+        cells.resize(columns_.width);
+        for (std::size_t c = 1; c < cells.size(); ++c) {
+            if (cells[c].empty() && !is_abscissa_name(header(c)) && (c > 1 || is_abscissa_name(header(0)))) {
+                cells[c] = cells[c - 1];
+            }
+        }
+        return cells;
     }
 
-    /// The line above the header names what its columns repeat: `forearm,,cheek,,` over `Wavelength,%R,Wavelength,%R`.
+    /// What the lines about the names give each column to be called by; those that state something of values, too,
+    /// where these are wanted.
+    [[nodiscard]] std::vector<std::string> joined_titles(bool with_statements) const {
+        std::vector<std::string> titles(columns_.width);
+        for (const TitleLine& line : columns_.titles) {
+            if (line.is_statement && !with_statements) continue;
+            const std::vector<std::string> cells = cells_above(line);
+            for (std::size_t c = 0; c < titles.size(); ++c) {
+                if (is_unit(cells[c]) || cells[c].empty() || titles[c] == cells[c]) continue;
+                titles[c] += (titles[c].empty() ? "" : " ") + cells[c];
+            }
+        }
+        return titles;
+    }
+
+    /// Lines above the header name what its columns repeat, or leave empty: `forearm,,cheek,,` over
+    /// `Wavelength,%R,Wavelength,%R`.
     void take_titles() {
         std::map<std::string_view, std::size_t> count;
         for (const std::string& name : columns_.names) ++count[name];
-        if (columns_.preamble.empty() || columns_.preamble.back().line + 1 != columns_.header_line) return;
-        CellCutter cutter(columns_.separator);
-        const std::span<const std::string_view> cells = cutter.cut(columns_.preamble.back().text);
-        if (columns_.separator == ' ' || cells.size() < 2 || filled_width(cells) > columns_.width) return;
-        std::string title;
+        std::vector<std::string> titles = joined_titles(false);
+        const auto repeats = [&](std::size_t c) {
+            return !titles[c].empty() && count[columns_.names[c]] > 1 && std::ranges::count(titles, titles[c]) > 1 &&
+                   !uncertainty_named(columns_.names[c]);
+        };
+        bool needs_more = std::ranges::all_of(titles, &std::string::empty);
+        for (std::size_t c = 0; c < columns_.names.size(); ++c) needs_more = needs_more || repeats(c);
+        if (needs_more) titles = joined_titles(true);
         std::map<std::string, std::size_t> used;
         for (std::size_t c = 0; c < columns_.names.size(); ++c) {
-            if (c < cells.size() && !cells[c].empty()) title = unescaped(cells[c]);
-            if (is_abscissa_name(columns_.names[c]) || title.empty() || count[columns_.names[c]] < 2) continue;
-            const bool taken = ++used[title] > 1;
-            plan_.columns[c].name = taken ? fmt::format("{} {}", title, columns_.names[c]) : title;
+            const std::string& name = columns_.names[c];
+            if (is_abscissa_name(name) || titles[c].empty() || (count[name] < 2 && !name.empty())) continue;
+            const bool taken = ++used[titles[c]] > 1;
+            plan_.columns[c].name = taken ? fmt::format("{} {}", titles[c], name) : titles[c];
+            if (name.empty()) plan_.columns[c].header = titles[c];
+        }
+    }
+
+    /// What the lines about the names state of the values of column `c`.
+    void take_title_statements(std::size_t c) {
+        PlannedColumn& column = plan_.columns[c];
+        for (const TitleLine& line : columns_.titles) {
+            const std::string cell = cells_above(line)[c];
+            const bool keyed = line.is_statement && is_ordinate_key(line.cells.front());
+            const ValueStatement stated = keyed ? values_stated_by_letter(cell) : values_stated(cell);
+            if (!column.states.quantity && column.states.unusable.empty()) {
+                column.states.quantity = stated.quantity;
+                column.states.unusable = stated.unusable;
+            }
+            if (!column.states.unit) column.states.unit = stated.unit;
+            if (!column.specular) column.specular = specular_stated(cell);
         }
     }
 
@@ -72,6 +120,7 @@ private:
         for (std::size_t c = 0; c < columns_.names.size(); ++c) {
             if (is_abscissa_name(header(c))) found.push_back(c);
         }
+        if (found.empty()) found = every_other_column(columns_);
         if (found.empty()) found.push_back(0);
         for (const std::size_t c : found) {
             plan_.columns[c].role = ColumnRole::wavelength;
@@ -130,11 +179,21 @@ private:
     }
 
     void take_counters() {
+        bool names_values = false;
+        for (std::size_t c = 0; c < columns_.names.size(); ++c) {
+            const bool names = is(c, ColumnRole::value) && is_name_of_values(header(c)) && !is_bound(header(c));
+            names_values = names_values || (names && !uncertainty_named(header(c)));
+        }
         for (std::size_t c = 0; c < columns_.names.size(); ++c) {
             if (!is(c, ColumnRole::value)) continue;
             const bool in_front = c < plan_.first_wavelength;
-            if (in_front ? is_label_in_front(header(c)) : counts_readings(header(c))) {
+            const bool holds_words = in_front && columns_.first > c;
+            if (holds_words || (in_front ? is_label_in_front(header(c)) : counts_readings(header(c)))) {
                 leave_out(c, "it counts or names the readings");
+            } else if (is_condition(header(c)) || (names_values && counts_repeats(header(c)))) {
+                leave_out(c, "it says how the readings were taken");
+            } else if (names_values && is_bound(header(c))) {
+                leave_out(c, "it is a bound of other values");
             }
         }
     }
@@ -153,6 +212,7 @@ private:
             column.states = by_letter ? values_stated_by_letter(header(c)) : values_stated(header(c));
             column.specular = specular_stated(header(c));
             if (!column.specular) column.specular = specular_stated(column.name);
+            take_title_statements(c);
             std::string words = column.states.unusable;
             std::string where = header_place();
             if (words.empty() && !column.states.quantity && !uncertainty_named(header(c))) {
@@ -178,82 +238,6 @@ private:
             leave_out(c, "beside a reflectance or transmittance it is a raw signal");
             plan_.columns[c].is_other_quantity = true;
         }
-    }
-
-    struct Uncertainty {
-        std::size_t column;
-        UncertaintyName name;
-    };
-
-    void take_uncertainties() {
-        std::vector<Uncertainty> all;
-        std::map<int, std::size_t> nameless;  // of each rank, the columns that name no column
-        for (std::size_t c = 0; c < columns_.names.size(); ++c) {
-            const auto named = is(c, ColumnRole::value) ? uncertainty_named(header(c)) : std::nullopt;
-            if (!named) continue;
-            if (!named->is_standard) {
-                leave_out(c, "it is no standard uncertainty in the unit of the values");
-                continue;
-            }
-            plan_.columns[c].role = ColumnRole::sigma;
-            if (named->base.empty()) ++nameless[named->rank];
-            all.push_back({.column = c, .name = *named});
-        }
-        std::vector<std::size_t> values;
-        std::map<std::string, std::vector<std::size_t>> by_base;
-        for (std::size_t c = 0; c < columns_.width && !all.empty(); ++c) {
-            if (!is(c, ColumnRole::value)) continue;
-            values.push_back(c);
-            by_base[plain_base(header(c))].push_back(c);
-        }
-        std::map<std::size_t, std::vector<const Uncertainty*>> of_value;
-        for (const Uncertainty& each : all) {
-            const auto named = by_base.find(each.name.base);
-            const bool by_name = !each.name.base.empty() && named != by_base.end();
-            for (const std::size_t value :
-                 by_name ? named->second : owners_by_place(each, values, nameless[each.name.rank] == 1)) {
-                if (plan_.columns[each.column].wavelength == plan_.columns[value].wavelength) {
-                    of_value[value].push_back(&each);
-                }
-            }
-        }
-        for (const auto& [value, uncertainties] : of_value) plan_.columns[value].sigma = best_of(uncertainties);
-        for (const Uncertainty& each : all) {
-            const bool used = std::ranges::any_of(
-                of_value, [&](const auto& owned) { return plan_.columns[owned.first].sigma == each.column; });
-            if (!used && !values.empty()) leave_out(each.column, "it is the uncertainty of no column that is read");
-        }
-    }
-
-    /// The columns that uncertainties belong to which name none of them: the one before; or, alone of their kind and at
-    /// an end of the table, all.
-    [[nodiscard]] static std::vector<std::size_t> owners_by_place(const Uncertainty& each,
-                                                                  const std::vector<std::size_t>& values,
-                                                                  bool is_alone) {
-        const auto behind = std::ranges::upper_bound(values, each.column);
-        const bool names_another = !each.name.base.empty();
-        if (names_another && (values.size() != 1 || each.column != values.front() + 1)) return {};
-        if (is_alone && (behind == values.begin() || behind == values.end())) return values;
-        return behind == values.begin() ? std::vector<std::size_t>{} : std::vector{*std::prev(behind)};
-    }
-
-    [[nodiscard]] std::size_t best_of(const std::vector<const Uncertainty*>& uncertainties) const {
-        const auto weight = [](const Uncertainty* each) {
-            return each->name.rank + (each->name.base.empty() ? 100 : 0);
-        };
-        const auto best = std::ranges::min_element(uncertainties, {}, weight);
-        for (auto other = std::next(best); other != uncertainties.end(); ++other) {
-            if (weight(*other) != weight(*best)) continue;
-            const std::string_view one = header((*best)->column);
-            const std::string_view two = header((*other)->column);
-            throw InputError({.where = header_place(),
-                              .problem = one == two ? fmt::format("2 columns are called {}", in_quotes(one))
-                                                    : fmt::format("{} and {} are both uncertainties of one column",
-                                                                  in_quotes(one), in_quotes(two)),
-                              .why = "the uncertainty of the values must be one of them",
-                              .remedy = "give every column a name of its own"});
-        }
-        return (*best)->column;
     }
 
     void tell_unused() {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "measurements/abscissa.hpp"
@@ -19,13 +20,19 @@ enum class ColumnRole { wavelength, value, sigma, unused };
 struct PlannedColumn {
     ColumnRole role = ColumnRole::value;
     std::string name{};                  ///< by which it is chosen; that of its title line where names are repeated
+    std::string header{};                ///< what its header says: the name there, else that of its title line
     std::string reason{};                ///< of `unused`: why
     bool is_other_quantity = false;      ///< unused because it is neither reflectance nor transmittance
-    ValueStatement states{};             ///< of `value`
+    ValueStatement states{};             ///< of `value`; of `sigma` its unit
     std::optional<Specular> specular{};  ///< of `value`
     std::size_t wavelength = 0;          ///< of `value` and `sigma`: the column of its wavelengths
     std::optional<std::size_t> sigma{};  ///< of `value`: the column of its standard uncertainties
     Abscissa abscissa{.name = "nm"};     ///< of `wavelength`
+
+    void leave_out(std::string why) {
+        role = ColumnRole::unused;
+        reason = std::move(why);
+    }
 };
 
 /// All columns of a table, in the order of the file.
@@ -43,11 +50,13 @@ struct TablePlan {
 
 /// Says what each column of a table holds.
 ///
-/// The wavelengths are in the column whose name says so, else in the first. What stands before it without a name, or
-/// called index, id and the like, is left out. Of several columns of wavelengths each belongs to the values behind it;
-/// side by side they are one axis in several units, of which nm is taken. Uncertainties belong to the column that they
-/// name, else to the one before them or, where they stand at an end of the table, to all. Columns that are neither
-/// reflectance nor transmittance by their name, or by what the file states where their name states nothing, are unused.
+/// The wavelengths are in the column whose name says so, else in the first; without such names, in every other column
+/// where these are called x or hold what looks like wavelengths. What stands before it without a name, or called index,
+/// id and the like, is left out, as are conditions such as a temperature or bandpass. Of several columns of wavelengths
+/// each belongs to the values behind it; side by side they are one axis in several units, of which nm is taken.
+/// Uncertainties belong to the column that they name, else to the one before them or, where they stand at an end of the
+/// table, to all. Columns that are neither reflectance nor transmittance by their name, or by what the file states
+/// where their name states nothing, are unused.
 ///
 /// Throws InputError where no wavelengths are stated to be along the spectra but something else.
 [[nodiscard]] TablePlan plan_table(const Columns& columns, const FileStatements& statements);

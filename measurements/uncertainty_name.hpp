@@ -15,10 +15,14 @@ struct UncertaintyName {
     bool is_standard = true;  ///< false for expanded and relative ones, variances
 };
 
-/// Reads `sigma`, `R_sd`, `u(R)`, `reflectance_se`, `std. dev.`, `SD of R` and the like; nothing for other names.
+/// Reads `sigma`, `R_sd`, `u(R)`, `reflectance_se`, `std. dev.`, `SD of R`, `+/- R` and the like; nothing for other
+/// names. Not standard are `U`, `2 sigma`, `uncertainty (k=2)`, `95% CI`, `R_var`, `RSD`.
 [[nodiscard]] std::optional<UncertaintyName> uncertainty_named(std::string_view name);
 
-/// A column's name without case, marks and units, to compare with `UncertaintyName::base`.
+/// Reads `sigmaR`, `stdR` and, of a reflectance R or transmittance T, `uR` and `dR`, where `base` is the column R.
+[[nodiscard]] std::optional<UncertaintyName> uncertainty_glued_to(std::string_view base, std::string_view name);
+
+/// A column's name without case, marks, units and the word mean, to compare with `UncertaintyName::base`.
 [[nodiscard]] std::string plain_base(std::string_view name);
 
 }  // namespace skinfit
