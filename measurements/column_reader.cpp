@@ -103,7 +103,7 @@ public:
             if (choice.sigma && numbers.holds_words[sigma_at])
                 (void)read_numbers(table_.columns, std::array{*choice.sigma});
             std::vector<double> value = store.column(value_at);
-            const std::optional<double> fill = take_out_fill_numbers(value);
+            const std::optional<double> fill = take_out_fill_numbers(value, table_.statements.fill);
             const std::size_t zeros = empty_.take_out_zeros(choice.wavelength, value);
             spectra.push_back(read(choice, value, choice.sigma ? store.column(sigma_at) : std::vector<double>{}));
             if (fill) {
@@ -143,13 +143,15 @@ private:
         const bool is_paired = axes_.size() > 1;
         if (!is_paired && choice.sole) check_table(table_, axis.all_numbers, value);
         if (!is_paired && !choice.sole) {
-            check_declared(table_.columns.source, declared_of_several(table_.statements.declared), axis.all_numbers,
-                           {});
+            check_declared(table_.columns.source, declared_of_several(table_.statements.declared), axis.all_numbers, {},
+                           choices_.size());
         }
         for (double& each : value) each *= table_.statements.factor;
         for (double& each : sigma) each *= table_.statements.factor;
         Spectrum spectrum = described(table_, choice, choices_.size());
         if (!axis.remark.empty()) spectrum.remarks.push_back(axis.remark);
+        std::ranges::move(doubts_about_scans(table_.statements.scans, axis.grid.wavelength_nm),
+                          std::back_inserter(spectrum.remarks));
         UnitStatements unit = unit_statements(table_, choice.value, options_);
         unit.percent_in = percent_in_;
         if (choice.sigma) {

@@ -73,13 +73,14 @@ bool is_bound(std::string_view name) {
 }
 
 bool names_specimens(std::string_view name) {
-    static constexpr std::array<std::string_view, 22> words = {
-        "id",   "sample", "subject",  "participant", "patient",  "volunteer", "site",     "location",
-        "scan", "spot",   "specimen", "replicate",   "repeat",   "spectrum",  "position", "measurement",
-        "name", "subj",   "person",   "arm",         "filename", "file"};
+    static constexpr std::array<std::string_view, 25> words = {
+        "id",   "sample", "subject",     "participant", "patient", "volunteer", "site",     "location", "scan",
+        "spot", "no",     "specimen",    "replicate",   "repeat",  "spectrum",  "position", "name",     "subj",
+        "nr",   "number", "measurement", "person",      "code",    "filename",  "file"};
     const std::vector<std::string> tokens = tokens_of(plain_text(name));
-    return !tokens.empty() && (std::ranges::find(words, tokens.front()) != words.end() ||
-                               std::ranges::find(words, tokens.back()) != words.end());
+    return !tokens.empty() && std::ranges::all_of(tokens, [](const std::string& token) {
+        return std::ranges::find(words, token) != words.end();
+    });
 }
 
 bool is_raw_beside_quantity(std::string_view name) {

@@ -172,9 +172,11 @@ void take_words(Columns& columns, std::span<const Row> words, const Shape& shape
     const std::size_t unnamed = has_row_names(columns, named_width, shape) ? 1 : 0;
     refuse_slip_in_first_row(columns, words, columns.width);
     Header header = find_header(words, columns.width - unnamed, columns.separator);
-    if (header.line == words.back().line && is_statement_key(last.front())) header = {};
+    const std::optional<KeyedLine> keyed = keyed_line(words.back().text);
+    const bool is_statement = is_statement_key(keyed ? keyed->key : last.front());
+    if (header.line == words.back().line && is_statement) header = {};
     if (header.lines > 0 && unnamed > 0) header.names.insert(header.names.begin(), std::string{});
-    if (header.lines == 0 && is_meant_as_header(words.back().text)) {
+    if (header.lines == 0 && !is_statement && is_meant_as_header(words.back().text)) {
         header = {.lines = 1,
                   .line = words.back().line,
                   .names = {last.begin(), last.begin() + static_cast<std::ptrdiff_t>(named_width)}};
@@ -199,8 +201,8 @@ void drop_empty(std::vector<Row>& rows, char separator) {
 
 /// Where the comment of a line begins, or npos.
 std::size_t find_comment(std::string_view line) {
-    static constexpr std::array<std::string_view, 8> errors = {"#n/a",  "#na",   "#div/0!", "#value!",
-                                                               "#num!", "#ref!", "#name?",  "#null!"};
+    static constexpr std::array<std::string_view, 12> errors = {
+        "#n/a", "#na", "#div/0", "#value!", "#num!", "#ref!", "#name?", "#null!", "#nv", "#wert!", "#bezug!", "#n/d"};
     const std::size_t content = line.find_first_not_of(" \t\v\f");
     for (std::size_t from = 0;;) {
         const std::size_t at = line.find('#', from);

@@ -23,7 +23,7 @@ namespace skinfit {
 namespace {
 
 char separator_of(std::string_view line) {
-    constexpr std::array marks = {',', ';', '\t'};
+    constexpr std::array marks = {'\t', ';', ','};  // a comma may be decimal
     const auto most = std::ranges::max_element(marks, {}, [line](char c) { return std::ranges::count(line, c); });
     return line.find(*most) == std::string_view::npos ? ' ' : *most;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -62,6 +63,8 @@ public:
         for (ReadRow& row : rows) {
             UnitStatements unit = unit_statements(row);
             unit.percent_in = percent_in;
+            std::ranges::move(doubts_about_scans(statements_.scans, blocks_[row.block].grid.wavelength_nm),
+                              std::back_inserter(row.spectrum.remarks));
             take_readings(row.spectrum, blocks_[row.block].grid, {.value = row.values, .sigma = row.sigma}, unit);
             if (!row.spectrum.value.empty()) spectra.push_back(std::move(row.spectrum));
         }
@@ -71,14 +74,11 @@ public:
 private:
     /// What the file declares of a single spectrum, or of the wavelengths of several.
     void check_declared_numbers(const std::vector<ReadRow>& rows) const {
-        std::vector<Declared> declared =
+        const std::vector<Declared> declared =
             rows.size() > 1 ? declared_of_several(statements_.declared) : statements_.declared;
-        std::erase_if(declared, [&](const Declared& each) {
-            return each.meaning == "count" && each.number == static_cast<double>(rows.size());
-        });
         const bool sole = rows.size() == 1 && statements_.factor == 1;
         check_declared(source_, declared, header_.blocks.front().numbers,
-                       sole ? rows.front().values : std::vector<double>{});
+                       sole ? rows.front().values : std::vector<double>{}, rows.size());
     }
 
     std::vector<ReadRow> read_rows() {
@@ -157,7 +157,7 @@ private:
         spectrum.line = line;
         spectrum.remarks = statements_.remarks;
         row.values = read_values(cells, line, blocks_[b]);
-        if (const auto fill = take_out_fill_numbers(row.values)) {
+        if (const auto fill = take_out_fill_numbers(row.values, statements_.fill)) {
             spectrum.remarks.push_back(fmt::format("readings of {} stand for missing values", *fill));
         }
         for (const ValueBlock& block : blocks_) {

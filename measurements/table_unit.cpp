@@ -53,7 +53,7 @@ std::string column_in_percent(const DescribedTable& table, const ReadOptions& op
         const std::size_t axis = table.plan.columns[unstated[i]].wavelength;
         if (!wavelengths.contains(axis)) wavelengths[axis] = glance_at_wavelengths(table, axis);
         std::vector<double> values = store.column(i);
-        (void)take_out_fill_numbers(values);
+        (void)take_out_fill_numbers(values, table.statements.fill);
         for (double& each : values) each *= table.statements.factor;
         if (!is_constant(values) && shows_percent(used_values(options.window, wavelengths[axis], values))) {
             return table.plan.label(unstated[i]);

@@ -71,7 +71,7 @@ std::string without_unit_in_brackets(std::string name) {
     return is_unit ? name.substr(0, open) : name;
 }
 
-/// A factor of coverage other than 1: `k=2`, `2 sigma` and `2*SD` in front, `2sigma`, `95%`.
+/// A factor of coverage other than 1: `k=2`, `2 sigma` and `2*SD` in front, `2sigma`.
 bool is_covered(const Tokens& tokens) {
     static constexpr std::array<std::string_view, 6> words = {"sigma", "sd", "std", "se", "sem", "u"};
     const auto is_factor = [](std::string_view text) {
@@ -82,7 +82,7 @@ bool is_covered(const Tokens& tokens) {
         const std::string_view next = i + 1 < tokens.size() ? std::string_view(tokens[i + 1]) : std::string_view{};
         const std::size_t letters = std::min(token.find_first_not_of("0123456789"), token.size());
         const bool is_word = std::ranges::find(words, token.substr(letters)) != words.end();
-        if (token == "95" || token == "99" || (token == "k" && is_factor(next))) return true;
+        if (token == "k" && is_factor(next)) return true;
         if (letters > 0 && is_factor(token.substr(0, letters)) && is_word) return true;
         if (i == 0 && is_factor(token) && std::ranges::find(words, next) != words.end()) return true;
     }
@@ -91,15 +91,17 @@ bool is_covered(const Tokens& tokens) {
 
 /// `tokens` are all of the name.
 bool is_not_standard(const Tokens& tokens, std::string_view name) {
-    static constexpr std::array<std::string_view, 21> marks = {
-        "expanded", "u95", "k2",  "k3",  "variance", "var",  "cv",         "rsd",      "rel",      "relative",  "ci",
-        "ci95",     "lcl", "ucl", "iqr", "95ci",     "ci99", "confidence", "quartile", "quantile", "percentile"};
+    static constexpr std::array<std::string_view, 22> marks = {
+        "expanded", "model", "u95",        "k2",       "k3",       "variance",  "var", "cv",
+        "rsd",      "rel",   "relative",   "ci",       "ci95",     "lcl",       "ucl", "iqr",
+        "95ci",     "ci99",  "confidence", "quartile", "quantile", "percentile"};
     const bool marked = std::ranges::any_of(
         tokens, [](const std::string& token) { return std::ranges::find(marks, token) != marks.end(); });
     // A capital U is the expanded uncertainty (JCGM 100:2008, 6.2).
     const bool capital = name == "U" || name.starts_with("U(") || name.starts_with("U (") || name.starts_with("U_") ||
                          name.starts_with("U [") || name.ends_with("_U");
-    return marked || capital || is_covered(tokens);
+    const bool is_interval = contains(name, "95%") || contains(name, "95 %") || contains(name, "99%");
+    return marked || capital || is_interval || is_covered(tokens);
 }
 
 /// Without what says that values are means, where anything else is left.
