@@ -211,8 +211,10 @@ std::optional<RowHeader> row_header_in(std::string_view line, std::size_t number
         header.abscissa = abscissa_in_corner(header.labels[before - 1]);
     }
     const bool usable = !header.abscissa || header.abscissa->unusable.empty();
+    const bool may_be_names = corner_speaks_of_wavelengths(header) || is_nameless(header.labels.front());
     const bool known = usable && std::ranges::all_of(header.blocks, [&](const RowBlock& block) {
-                           return are_mostly_wavelengths(header.wavelength_nm(block));
+                           const std::vector<double> nm = header.wavelength_nm(block);
+                           return may_be_names ? are_wavelengths(nm) : are_mostly_wavelengths(nm);
                        });
     return known ? std::optional(header) : std::nullopt;
 }
