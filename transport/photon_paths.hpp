@@ -58,7 +58,8 @@ struct Gathering {
     double spot_radius_cm = 0.0;  ///< of the disc that is lit evenly; 0: a pencil beam
     /// Of the round port about the middle of the spot; infinite: all light, as an integrating sphere with a wide port.
     double port_radius_cm = std::numeric_limits<double>::infinity();
-    std::optional<double> viewing_cone_rad;  ///< half angle about the normal, relative to a white diffuser; none: all
+    std::optional<double> viewing_cone_rad =
+        {};                                  ///< half angle about the normal, relative to a white diffuser; none: all
     Specular specular = Specular::included;  ///< whether what the first surface reflects counts
 };
 

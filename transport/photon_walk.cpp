@@ -100,7 +100,9 @@ bool PhotonWalk::cross(Photon& photon, double xi) const {
     const FresnelInterface& interface = downward ? layer.below : layer.above;
     photon.depth_cm = downward ? layer.thickness_cm : 0.0;
     const double cosine = std::fabs(direction.down);
-    const double transmitted = interface.transmitted_cosine(cosine);
+    // Where nothing changes, the sum of squares would lose the smallest cosines.
+    const bool matched = interface.n1() == interface.n2();
+    const double transmitted = matched ? cosine : interface.transmitted_cosine(cosine);
     if (transmitted == 0.0 || interface.reflects(xi, cosine, transmitted)) {
         direction.down = -direction.down;
         return true;

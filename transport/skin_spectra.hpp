@@ -22,7 +22,7 @@ struct SkinTransportOptions {
     /// Skins that differ in absorption alone share a trace. With a ratio, above 1, those that differ in `scattering`
     /// too share traces at values of mu_s' that lie at most this factor apart, and readings are cubic in ln mu_s'
     /// between four of them. None: each scattering has its own trace.
-    std::optional<double> node_ratio;
+    std::optional<double> node_ratio = {};
 };
 
 /// Readings: [skin][gathering][wavelength].
