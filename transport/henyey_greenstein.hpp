@@ -3,7 +3,7 @@
 namespace skinfit {
 
 /// The cosine of the angle by which a photon is deflected, for `xi` uniform in (0, 1) and an `anisotropy` between -1
-/// and 1; the law of [HENYEY41], whose mean cosine is the anisotropy. Inverted as in [WANG95, Eq. 3.22], but multiplied
+/// and 1; the law of [HENYEY41], whose mean cosine is the anisotropy. Inverted as in [WANG95], but multiplied
 /// out in 2 xi - 1, so that it has no division by the anisotropy and holds for isotropic scattering too.
 [[nodiscard]] constexpr double henyey_greenstein_cosine(double anisotropy, double xi) {
     const double g = anisotropy;

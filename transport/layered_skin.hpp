@@ -34,8 +34,8 @@ struct LayeredSkin {
     double dermis_refractive_index = 1.4;
     double subcutis_refractive_index = 1.44;
 
-    ScatteringLaw scattering{46.0, 1.421};           ///< of all above the subcutis; mean of skin [JACQUES13, Table 1]
-    ScatteringLaw subcutis_scattering{18.4, 0.672};  ///< mean of other fatty tissues [JACQUES13, Table 1]
+    ScatteringLaw scattering{46.0, 1.421};           ///< of all above the subcutis; mean of skin [JACQUES13, Table 2]
+    ScatteringLaw subcutis_scattering{18.4, 0.672};  ///< mean of other fatty tissues [JACQUES13, Table 2]
     double anisotropy = 0.8;                         ///< of all layers, -1 to 1, both excluded
 
     double melanosome_fraction = 0.03;  ///< of the epidermis
@@ -44,7 +44,7 @@ struct LayeredSkin {
     double subcutis_blood_fraction = 0.003;
     double oxygen_saturation = 0.7;         ///< 0 to 1, in all layers
     double hemoglobin_g_per_l = 150.0;      ///< in whole blood
-    double dermal_bilirubin_g_per_l = 0.0;  ///< in the tissue of the dermis, outside vessels
+    double dermal_bilirubin_g_per_l = 0.0;  ///< in the tissue of the dermis, outside vessels [BOSSCHAART12]
 
     bool operator==(const LayeredSkin&) const = default;
 };
@@ -57,7 +57,7 @@ struct TissueExtinction {
     double deoxyhemoglobin;    ///< per cm per (g/L)
     double bilirubin;          ///< per cm per (g/L), bound to albumin
 
-    /// Of the tables of the model. Throws InputError outside them.
+    /// Of the tables of the model. Throws InputError outside them; bilirubin's, shifted, begin 9 nm later.
     [[nodiscard]] static TissueExtinction at(double wavelength_nm);
 };
 

@@ -19,14 +19,14 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double depth_before_roulette = 3.0;
 
 /// A direction: along the plane of incidence, across it, and down.
-struct Direction {
+struct FlightDirection {
     double along;
     double across;
     double down;
 };
 
-/// [WANG95, Eqs. 3.24, 3.25]: `direction` deflected by a polar angle and an azimuth of full turns.
-Direction deflected(const Direction& direction, double cosine, double turns) {
+/// [WANG95]: `direction` deflected by a polar angle and an azimuth of full turns.
+FlightDirection deflected(const FlightDirection& direction, double cosine, double turns) {
     const double sine_squared = 1.0 - cosine * cosine;
     const double sine = std::sqrt(sine_squared > 0.0 ? sine_squared : 0.0);
     const double first = sine * cosine_of_turns(turns);
@@ -44,7 +44,7 @@ Direction deflected(const Direction& direction, double cosine, double turns) {
 }  // namespace
 
 struct PhotonWalk::Photon {
-    Direction direction;
+    FlightDirection direction;
     std::size_t layer = 0;  // beyond the last: below the stack
     bool above = false;     // has left through the top
     double depth_cm = 0.0;  // from the top of its layer
@@ -94,7 +94,7 @@ PhotonWalk::Photon PhotonWalk::entered(double xi) const {
 
 /// At the boundary of its layer the photon is reflected, or goes on beyond. Returns whether it is still in the stack.
 bool PhotonWalk::cross(Photon& photon, double xi) const {
-    Direction& direction = photon.direction;
+    FlightDirection& direction = photon.direction;
     const bool downward = direction.down > 0.0;
     const Layer& layer = layers_[photon.layer];
     const FresnelInterface& interface = downward ? layer.below : layer.above;

@@ -52,7 +52,7 @@ TEST(HenyeyGreenstein, CosinesFollowTheirLaw) {
 }
 
 TEST(PhotonLaws, AMatchedSlabHasThePublishedShares) {
-    // [VANDEHULST80], as [WANG95, Table 1] has it.
+    // [VANDEHULST80], as [WANG95] has it.
     const auto slab = [](double anisotropy) {
         return shares_of_slab({.layers = {{90, anisotropy, 1, 0.02}}}, 10, {.photons = 400'000});
     };
@@ -64,7 +64,7 @@ TEST(PhotonLaws, AMatchedSlabHasThePublishedShares) {
 }
 
 TEST(PhotonLaws, AHalfSpaceOfHigherIndexHasThePublishedReflectance) {
-    // [GIOVANELLI55], as [WANG95, Table 2] has it, with the light that the surface reflects.
+    // [GIOVANELLI55], as [WANG95] has it, with the light that the surface reflects.
     const auto half_space = [](double index) {
         return shares_of_slab({.layers = {{90, 0, index, infinity}}}, 10,
                               {.photons = 200'000, .least_absorption_per_cm = {10}});
@@ -103,7 +103,7 @@ TEST(PhotonLaws, RouletteChangesNoMean) {
 }
 
 /// Chandrasekhar's H for isotropic scattering at the midpoints of equal parts of (0, 1), and what it says of light that
-/// leaves a half space lit at cosine `lit`. [CHANDRASEKHAR60, Secs. 38, 34]
+/// leaves a half space lit at cosine `lit`. [CHANDRASEKHAR60, Chap. V]
 class HalfSpace {
 public:
     HalfSpace(double albedo, std::size_t points) : albedo_(albedo), h_(points, 1.0) {

@@ -99,7 +99,7 @@ TEST(PhotonPaths, DeepClearLayersKeepTheirLight) {
 }
 
 TEST(PhotonPaths, DiffuseLightIsReflectedByTheSurfaceAsAveragedFresnel) {
-    // The average over the hemisphere for an index of 1.5 is 0.09178, in the closed form of [WALSH26].
+    // The average over the hemisphere for an index of 1.5 is 0.09178, in the closed form of [DUNTLEY42].
     const PhotonPaths paths =
         PhotonPaths::trace({.layers = {{1, 0, 1.5, 0.1}}}, {.incidence_rad = std::nullopt, .photons = 2});
     const double n = 1.5;
