@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
+
+#include "core/erase_repeated.hpp"
 
 namespace skinfit {
 namespace {
@@ -41,7 +44,7 @@ ScatteringNodes scattering_nodes(std::span<const double> reduced_per_cm, std::op
     assert(!reduced_per_cm.empty() && (!ratio || *ratio > 1.0));
     std::vector<double> distinct(reduced_per_cm.begin(), reduced_per_cm.end());
     std::ranges::sort(distinct);
-    distinct.erase(std::ranges::unique(distinct).begin(), distinct.end());
+    erase_repeated(distinct);
     if (!ratio) return own_nodes(reduced_per_cm, std::move(distinct));
     const double lowest = std::log(distinct.front());
     const double range = std::log(distinct.back()) - lowest;
