@@ -6,27 +6,18 @@
 #include "model/chromophores.hpp"
 
 namespace skinfit {
-namespace {
-
-// The model's table is of bilirubin in chloroform, with its peak of 55000 at 451 nm. On albumin it is taken to lie at
-// 460 nm, with 48000 per cm per (mol/L). (chosen)
-constexpr double albumin_shift_nm = 9.0;
-constexpr double albumin_factor = 0.87;
-
-}  // namespace
-
 double ScatteringLaw::reduced_per_cm(double wavelength_nm) const {
     return at_500_nm_per_cm * std::pow(wavelength_nm / 500.0, -power);
 }
 
-TissueExtinction TissueExtinction::at(double wavelength_nm) {
+TissueExtinction TissueExtinction::at(double wavelength_nm, const BilirubinBand& band) {
     const Extinction here = Extinction::at(wavelength_nm, Edition::revised);
-    const Extinction shifted = Extinction::at(wavelength_nm - albumin_shift_nm, Edition::revised);
+    const Extinction shifted = Extinction::at(wavelength_nm - band.shift_nm, Edition::revised);
     return {.baseline_per_cm = here.baseline_per_cm,
             .melanosome_per_cm = 6.6e11 * std::pow(wavelength_nm, -3.33),
             .oxyhemoglobin = here.oxyhemoglobin,
             .deoxyhemoglobin = here.deoxyhemoglobin,
-            .bilirubin = albumin_factor * shifted.bilirubin};
+            .bilirubin = band.factor * shifted.bilirubin};
 }
 
 PerTurbidLayer layer_absorption_per_cm(const LayeredSkin& skin, const TissueExtinction& extinction) {

@@ -49,16 +49,23 @@ struct LayeredSkin {
     bool operator==(const LayeredSkin&) const = default;
 };
 
+/// Where bilirubin's band lies, against the model's table of bilirubin in chloroform, with its peak of 55000 per cm per
+/// (mol/L) at 451 nm. The default is bilirubin on albumin, taken to have 48000 at 460 nm (chosen); {0, 1} is the table.
+struct BilirubinBand {
+    double shift_nm = 9.0;
+    double factor = 0.87;
+};
+
 /// How strongly everything in skin absorbs at one wavelength; napierian. Other tables may be put in its place.
 struct TissueExtinction {
     double baseline_per_cm;    ///< tissue without pigments, [JACQUES98]
     double melanosome_per_cm;  ///< 6.6e11 nm^-3.33, [JACQUES98]
     double oxyhemoglobin;      ///< per cm per (g/L)
     double deoxyhemoglobin;    ///< per cm per (g/L)
-    double bilirubin;          ///< per cm per (g/L), bound to albumin
+    double bilirubin;          ///< per cm per (g/L), in the band asked for
 
-    /// Of the tables of the model. Throws InputError outside them; bilirubin's, shifted, begin 9 nm later.
-    [[nodiscard]] static TissueExtinction at(double wavelength_nm);
+    /// Of the tables of the model. Throws InputError outside them; bilirubin's begins later by the shift.
+    [[nodiscard]] static TissueExtinction at(double wavelength_nm, const BilirubinBand& band = {});
 };
 
 /// The absorption coefficient of each layer, per cm, in the order of `SkinLayer`.

@@ -83,7 +83,7 @@ void add_node(const NodeWork& work, std::span<const PerTurbidLayer> absorptions,
 
 WavelengthReadings readings_at(double wavelength_nm, std::span<const LayeredSkin> skins,
                                const SkinTransportOptions& options, const std::stop_token& stop) {
-    const TissueExtinction extinction = TissueExtinction::at(wavelength_nm);
+    const TissueExtinction extinction = TissueExtinction::at(wavelength_nm, options.bilirubin);
     std::vector<PerTurbidLayer> absorptions;
     for (const LayeredSkin& skin : skins) absorptions.push_back(layer_absorption_per_cm(skin, extinction));
     WavelengthReadings readings(skins.size(), std::vector<PhotonMean>(options.gatherings.size()));

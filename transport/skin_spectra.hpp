@@ -19,6 +19,7 @@ struct SkinTransportOptions {
     std::vector<Gathering> gatherings = {{}};
     std::uint64_t photons = 100'000;  ///< per wavelength and trace, 2 or more
     std::uint64_t seed = 1;
+    BilirubinBand bilirubin = {};
     /// Skins that differ in absorption alone share a trace. With a ratio, above 1, those that differ in `scattering`
     /// too share traces at values of mu_s' that lie at most this factor apart, and readings are cubic in ln mu_s'
     /// between four of them. None: each scattering has its own trace.

@@ -56,6 +56,7 @@ TEST(LayeredSkin, BilirubinIsInTheDermisOutsideVessels) {
     EXPECT_EQ(with[0], without[0]);
     EXPECT_EQ(with[1], without[1]);
     EXPECT_EQ(with[4], without[4]);
+    EXPECT_EQ(TissueExtinction::at(470, {0.0, 1.0}).bilirubin, Extinction::at(470, Edition::revised).bilirubin);
     // Its band lies where albumin has put it.
     EXPECT_GT(TissueExtinction::at(460).bilirubin, TissueExtinction::at(451).bilirubin);
     EXPECT_LT(Extinction::at(460, Edition::revised).bilirubin, Extinction::at(451, Edition::revised).bilirubin);
