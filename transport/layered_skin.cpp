@@ -1,6 +1,5 @@
 #include "transport/layered_skin.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "model/chromophores.hpp"
