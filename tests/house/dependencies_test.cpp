@@ -164,6 +164,10 @@ TEST_F(Dependencies, PointOneWay) {
         if (from == "model" || from == "measurements") {
             EXPECT_EQ(to, "core") << from;
         }
+        // The second physics is no engine of a fit.
+        if (from == "transport") {
+            EXPECT_TRUE(to == "core" || to == "model") << to;
+        }
         EXPECT_NE(from, "core") << to;
     }
 }
