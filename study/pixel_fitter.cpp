@@ -60,12 +60,13 @@ BulkFitter fitter_of(const FitProblem& problem, const DiskCache& cache) {
     return {problem, std::get<Emulator>(models.front()), pixel_options};
 }
 
-/// Every check of a spectrum by itself can reject a pixel under its own name, but for those of repeats and of the
-/// reader's remarks, of which pixels have none, and of repeated wavelengths, which are the whole cube's.
+/// Every check of a spectrum by itself can reject a pixel under its own name, but for those of repeats, of
+/// uncertainties and of the reader's remarks, of which pixels have none, and of repeated wavelengths, which are the
+/// whole cube's.
 static_assert(std::ranges::all_of(spectrum_checks, [](const SpectrumCheck& each) {
     return (std::ranges::find(pixel_reason_names, each.name) == pixel_reason_names.end()) ==
            (each.name == "noise_against_repeats" || each.name == "doubtful_file" || each.name == "as_read" ||
-            each.name == "repeated_wavelengths");
+            each.name == "unusable_uncertainty" || each.name == "repeated_wavelengths");
 }));
 
 PixelReason reason_named(const std::string& finding) {
