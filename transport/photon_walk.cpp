@@ -18,33 +18,15 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// with one chance in e to go on: chosen, for photons this faint add little to the scatter of any reading.
 constexpr double depth_before_roulette = 3.0;
 
-/// A direction: along the plane of incidence, across it, and down.
-struct FlightDirection {
-    double along;
-    double across;
-    double down;
-};
-
-/// [WANG95]: `direction` deflected by a polar angle and an azimuth of full turns.
-FlightDirection deflected(const FlightDirection& direction, double cosine, double turns) {
-    const double sine_squared = 1.0 - cosine * cosine;
-    const double sine = std::sqrt(sine_squared > 0.0 ? sine_squared : 0.0);
-    const double first = sine * cosine_of_turns(turns);
-    const double second = sine * sine_of_turns(turns);
-    const double level_squared = 1.0 - direction.down * direction.down;
-    if (level_squared < 1e-12) return {first, second, std::copysign(cosine, cosine * direction.down)};
-    const double level = std::sqrt(level_squared);
-    const double per_level = 1.0 / level;
-    return {
-        (direction.along * direction.down * first - direction.across * second) * per_level + direction.along * cosine,
-        (direction.across * direction.down * first + direction.along * second) * per_level + direction.across * cosine,
-        direction.down * cosine - level * first};
-}
-
 }  // namespace
 
 struct PhotonWalk::Photon {
-    FlightDirection direction;
+    struct Direction {
+        double along;  // the plane of incidence
+        double across;
+        double down;
+    };
+    Direction direction;
     std::size_t layer = 0;  // beyond the last: below the stack
     bool above = false;     // has left through the top
     double depth_cm = 0.0;  // from the top of its layer
@@ -59,6 +41,25 @@ struct PhotonWalk::Photon {
         across_cm += distance_cm * direction.across;
         depth_cm += distance_cm * direction.down;
         lengths_cm[layer] += distance_cm;
+    }
+
+    /// By a polar angle and an azimuth of full turns. [WANG95]
+    void deflect(double cosine, double turns) {
+        const double sine_squared = 1.0 - cosine * cosine;
+        const double sine = std::sqrt(sine_squared > 0.0 ? sine_squared : 0.0);
+        const double first = sine * cosine_of_turns(turns);
+        const double second = sine * sine_of_turns(turns);
+        const auto [along, across, down] = direction;
+        const double level_squared = 1.0 - down * down;
+        if (level_squared < 1e-12) {
+            direction = {first, second, std::copysign(cosine, cosine * down)};
+            return;
+        }
+        const double level = std::sqrt(level_squared);
+        const double per_level = 1.0 / level;
+        direction = {(along * down * first - across * second) * per_level + along * cosine,
+                     (across * down * first + along * second) * per_level + across * cosine,
+                     down * cosine - level * first};
     }
 };
 
@@ -94,7 +95,7 @@ PhotonWalk::Photon PhotonWalk::entered(double xi) const {
 
 /// At the boundary of its layer the photon is reflected, or goes on beyond. Returns whether it is still in the stack.
 bool PhotonWalk::cross(Photon& photon, double xi) const {
-    FlightDirection& direction = photon.direction;
+    Photon::Direction& direction = photon.direction;
     const bool downward = direction.down > 0.0;
     const Layer& layer = layers_[photon.layer];
     const FresnelInterface& interface = downward ? layer.below : layer.above;
@@ -139,7 +140,7 @@ std::optional<PhotonExit> PhotonWalk::follow(std::uint64_t number) const {
         photon.move(moved_cm);
         photon.dimming += moved_cm * layer.least_absorption_per_cm;
         if (free_cm < boundary_cm) {
-            photon.direction = deflected(photon.direction, henyey_greenstein_cosine(layer.anisotropy, xi[1]), xi[2]);
+            photon.deflect(henyey_greenstein_cosine(layer.anisotropy, xi[1]), xi[2]);
         } else if (!cross(photon, xi[3])) {
             return PhotonExit{.side = photon.above ? Side::top : Side::bottom,
                               .lengths_cm = photon.lengths_cm,
