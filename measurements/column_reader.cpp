@@ -43,7 +43,7 @@ Spectrum described(const DescribedTable& table, const ColumnChoice& choice, std:
             choice.sole ? std::filesystem::path(spectrum.source).stem().string() : table.plan.label(choice.value);
     }
     if (!spectrum.quantity) spectrum.quantity = table.statements.values.quantity;
-    if (column.states.quantity) spectrum.quantity = column.states.quantity;
+    if (column.states.quantity) name_quantity(spectrum, *column.states.quantity);
     if (!spectrum.geometry.specular) spectrum.geometry.specular = table.statements.specular;
     if (column.specular) spectrum.geometry.specular = column.specular;
     return spectrum;

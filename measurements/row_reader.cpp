@@ -211,7 +211,7 @@ private:
             if (specular) spectrum.geometry.specular = specular;
             if (label.quantity || specular || !label.unusable.empty()) row.told_apart += " " + value;
         }
-        if (stated.quantity) spectrum.quantity = stated.quantity;
+        if (stated.quantity) name_quantity(spectrum, *stated.quantity);
         if (stated.unusable.empty() && !stated.quantity) stated.unusable = statements_.values.unusable;
         if (!stated.unusable.empty()) {
             spectrum.unusable = fmt::format("{} is neither reflectance nor transmittance as fraction or percent",

@@ -61,4 +61,8 @@ void take_readings(Spectrum& spectrum, const Grid& grid, const Readings& reading
 /// The quantity that a column's name or a title states; nothing where it names none or both.
 [[nodiscard]] std::optional<Quantity> quantity_named(std::string_view text);
 
+/// Gives the spectrum the quantity that its column or row states, which goes before that of the whole file; where the
+/// two differ, that is a doubt.
+void name_quantity(Spectrum& spectrum, Quantity named);
+
 }  // namespace skinfit
