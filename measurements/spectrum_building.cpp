@@ -172,9 +172,11 @@ std::optional<Quantity> quantity_named(std::string_view text) {
 
 void name_quantity(Spectrum& spectrum, Quantity named) {
     if (spectrum.quantity && *spectrum.quantity != named) {
-        spectrum.doubts.push_back(fmt::format("the file states {} and the name of these values {}, which is taken",
-                                              quantity_names[static_cast<std::size_t>(*spectrum.quantity)],
-                                              quantity_names[static_cast<std::size_t>(named)]));
+        spectrum.doubts.push_back(
+            {.message = fmt::format("the file states {}, the name of these values {}, which is taken",
+                                    quantity_names[static_cast<std::size_t>(*spectrum.quantity)],
+                                    quantity_names[static_cast<std::size_t>(named)]),
+             .remedy = "correct the one that is wrong"});
     }
     spectrum.quantity = named;
 }
