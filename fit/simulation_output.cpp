@@ -23,11 +23,18 @@ std::string parameters_text(const Configuration& configuration) {
     return text;
 }
 
+struct ErrorNames {
+    std::string reflectance;
+    std::string transmittance;
+};
+
 /// What the errors of the readings are called. Those of solver and emulator are bounds, alike from one run to the next:
 /// no standard uncertainties by which a fit may weigh the readings.
-std::string_view error_name(const Configuration& configuration) {
-    const bool by_chance = configuration.engine == Engine::paths || configuration.engine == Engine::walk;
-    return by_chance ? "se" : "model_error";
+ErrorNames error_names(const Configuration& configuration) {
+    if (configuration.engine == Engine::paths || configuration.engine == Engine::walk) {
+        return {.reflectance = "reflectance_se", .transmittance = "transmittance_se"};
+    }
+    return {.reflectance = "reflectance_model_error", .transmittance = "transmittance_model_error"};
 }
 
 }  // namespace
@@ -47,9 +54,9 @@ std::string simulation_csv(const std::vector<Reading>& readings, const Configura
         text += fmt::format("# bandpass_shape: {}\n# bandpass_width_nm: {}\n", word("bandpass_shape"), band->width_nm);
     }
     text += fmt::format("# unit: fraction\n# parameters:{}\n", parameters_text(configuration));
-    text +=
-        fmt::format("wavelength_nm,reflectance,reflectance_{0},transmittance,transmittance_{0},surface_reflectance\n",
-                    error_name(configuration));
+    const ErrorNames errors = error_names(configuration);
+    text += fmt::format("wavelength_nm,reflectance,{},transmittance,{},surface_reflectance\n", errors.reflectance,
+                        errors.transmittance);
     for (const Reading& reading : readings) {
         text += fmt::format("{},{},{},{},{},{}\n", reading.wavelength_nm, reading.reflectance, reading.reflectance_se,
                             reading.transmittance, reading.transmittance_se, reading.surface_reflectance);
@@ -59,6 +66,7 @@ std::string simulation_csv(const std::vector<Reading>& readings, const Configura
 
 Json simulation_json(const std::vector<Reading>& readings, const Configuration& configuration) {
     const Json settings = settings_of(configuration);
+    const ErrorNames errors = error_names(configuration);
     Json json;
     const auto column = [&](const std::string& name, double Reading::*field) {
         json[name] = Json::array();
@@ -66,9 +74,9 @@ Json simulation_json(const std::vector<Reading>& readings, const Configuration& 
     };
     column("wavelength_nm", &Reading::wavelength_nm);
     column("reflectance", &Reading::reflectance);
-    column(fmt::format("reflectance_{}", error_name(configuration)), &Reading::reflectance_se);
+    column(errors.reflectance, &Reading::reflectance_se);
     column("transmittance", &Reading::transmittance);
-    column(fmt::format("transmittance_{}", error_name(configuration)), &Reading::transmittance_se);
+    column(errors.transmittance, &Reading::transmittance_se);
     column("surface_reflectance", &Reading::surface_reflectance);
     for (const char* key : {"edition", "engine", "seed", "rays"}) json[key] = settings[key];
     json["version"] = version;

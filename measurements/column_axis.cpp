@@ -15,9 +15,9 @@ namespace skinfit {
 namespace {
 
 /// Throws InputError where nothing else is left.
-void leave_out_far(Axis& axis, const Abscissa& abscissa, const std::string& where) {
+void leave_out_far(ColumnAxis& axis, const Abscissa& abscissa, const std::string& where) {
     const std::vector<double> nm = wavelengths_nm(abscissa, axis.numbers);
-    Axis kept;
+    ColumnAxis kept;
     for (std::size_t i = 0; i < nm.size(); ++i) {
         if (!wavelength_range_nm.contains(nm[i])) continue;
         kept.rows.push_back(axis.rows[i]);
@@ -48,11 +48,11 @@ bool are_mostly_nm(const std::vector<double>& numbers) {
 
 }  // namespace
 
-Axis axis_of(const DescribedTable& table, std::size_t wavelength, const std::vector<bool>& may_lack_one) {
+ColumnAxis axis_of(const DescribedTable& table, std::size_t wavelength, const std::vector<bool>& may_lack_one) {
     const Columns& columns = table.columns;
     const std::array<std::size_t, 1> wanted{wavelength};
     const NumberTable numbers = read_number_table(columns, wanted);
-    Axis axis;
+    ColumnAxis axis;
     bool lacks_one = false;
     for (std::size_t row = 0; row < numbers.cells.size(); ++row) {
         const bool is_none = may_lack_one[row] && is_fill_number(numbers.cells[row]);

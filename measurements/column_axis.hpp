@@ -10,7 +10,7 @@
 namespace skinfit {
 
 /// The wavelengths of a column, and the rows of the table that have one.
-struct Axis {
+struct ColumnAxis {
     std::vector<bool> has_number{};  ///< for each row of the table
     std::vector<std::size_t> rows{};
     std::vector<double> numbers{};      ///< as in the file
@@ -23,6 +23,7 @@ struct Axis {
 /// the thermal infrared, or where nine of ten lie in it. Throws InputError where nothing else is left, and for
 /// a row without a number but where `may_lack_one` says so: in tables of several columns of wavelengths, and where a
 /// row has no values either.
-[[nodiscard]] Axis axis_of(const DescribedTable& table, std::size_t wavelength, const std::vector<bool>& may_lack_one);
+[[nodiscard]] ColumnAxis axis_of(const DescribedTable& table, std::size_t wavelength,
+                                 const std::vector<bool>& may_lack_one);
 
 }  // namespace skinfit

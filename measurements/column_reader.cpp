@@ -65,7 +65,7 @@ void check_table(const DescribedTable& table, const std::vector<double>& wavelen
 }
 
 /// Throws InputError for a value without a wavelength.
-void require_wavelengths(const DescribedTable& table, const Axis& axis, std::size_t column,
+void require_wavelengths(const DescribedTable& table, const ColumnAxis& axis, std::size_t column,
                          const std::vector<double>& values) {
     for (std::size_t row = 0; row < values.size(); ++row) {
         if (!axis.has_number[row] && !std::isnan(values[row])) {
@@ -119,7 +119,7 @@ public:
     }
 
 private:
-    const Axis& axis_of(std::size_t wavelength) {
+    const ColumnAxis& axis_of(std::size_t wavelength) {
         const auto [found, is_new] = axes_.try_emplace(wavelength);
         if (is_new) {
             const bool paired =
@@ -132,7 +132,7 @@ private:
 
     Spectrum read(const ColumnChoice& choice, const std::vector<double>& all_values,
                   const std::vector<double>& all_sigmas) {
-        const Axis& axis = axis_of(choice.wavelength);
+        const ColumnAxis& axis = axis_of(choice.wavelength);
         require_wavelengths(table_, axis, choice.value, all_values);
         std::vector<double> value;
         std::vector<double> sigma;
@@ -212,7 +212,7 @@ private:
     std::string percent_in_;
     std::vector<std::size_t> wanted_{};
     EmptyRows empty_{};
-    std::map<std::size_t, Axis> axes_{};
+    std::map<std::size_t, ColumnAxis> axes_{};
 };
 
 /// The spectra of one part of a table.
@@ -259,7 +259,7 @@ ValuePlace place_in_columns(std::string_view text, const std::string& source, co
     if (parts.size() > 1) return {.where = source};
     const DescribedTable& table = parts.front().table;
     const ColumnChoice choice = choose_column(table.columns, table.plan, options.column);
-    const Axis axis = axis_of(table, choice.wavelength, std::vector<bool>(table.columns.rows.size(), true));
+    const ColumnAxis axis = axis_of(table, choice.wavelength, std::vector<bool>(table.columns.rows.size(), true));
     const std::vector<double> nm = wavelengths_nm(table.plan.columns[choice.wavelength].abscissa, axis.numbers);
     const auto at = static_cast<std::size_t>(std::ranges::find(nm, wavelength_nm) - nm.begin());
     return {.where = at_line(table.columns, table.columns.rows[axis.rows[at]].line),

@@ -20,7 +20,7 @@ std::string place(const std::string& source, std::size_t line) {
 }
 
 /// How much what states the values weighs against another line that does.
-enum class Weight { none, prose, key, ordinate };
+enum class StatementWeight { none, prose, key, ordinate };
 
 /// The number of `# missing value: -1` and its kin.
 std::optional<double> declared_fill(const KeyedLine& keyed) {
@@ -77,7 +77,7 @@ public:
     void take_keyed(const KeyedLine& keyed, std::size_t line, Clauses clauses = Clauses::of_prose) {
         ValueStatement stated = values_stated_under(keyed.key, keyed.value, clauses);
         if (!stated.unusable.empty()) stated.unusable = fmt::format("{} {}", keyed.key, keyed.value);
-        set_values(stated, is_ordinate_key(keyed.key) ? Weight::ordinate : Weight::key, line);
+        set_values(stated, is_ordinate_key(keyed.key) ? StatementWeight::ordinate : StatementWeight::key, line);
         set_abscissa(abscissa_stated_under(keyed.key, keyed.value), line);
     }
 
@@ -102,7 +102,7 @@ private:
                             line.line));
             return;
         }
-        set_values(stated, Weight::prose, line.line);
+        set_values(stated, StatementWeight::prose, line.line);
         set_abscissa(abscissa_stated_in_prose(line.text), line.line);
         if (stated.is_empty()) remark_on_tale(line);
     }
@@ -123,7 +123,7 @@ private:
     }
 
     /// Of lines that weigh the same, what is unusable counts, else the first.
-    void set_values(const ValueStatement& stated, Weight weight, std::size_t line) {
+    void set_values(const ValueStatement& stated, StatementWeight weight, std::size_t line) {
         if (stated.is_empty()) return;
         ValueStatement& values = statements_.values;
         const bool more = weight > weight_ && (stated.quantity || !stated.unusable.empty());
@@ -149,7 +149,7 @@ private:
     const std::string& source_;
     bool is_compared_;  ///< the file says that its data are compared to a white reference
     FileStatements statements_{};
-    Weight weight_ = Weight::none;
+    StatementWeight weight_ = StatementWeight::none;
 };
 
 /// The one that the lines state; a remark where they state both. What one of several cells states is of its column.

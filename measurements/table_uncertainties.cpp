@@ -14,7 +14,7 @@
 namespace skinfit {
 namespace {
 
-struct Uncertainty {
+struct ColumnUncertainty {
     std::size_t column;
     UncertaintyName name;
 };
@@ -24,7 +24,7 @@ public:
     Uncertainties(TablePlan& plan, const std::string& where) : plan_(plan), where_(where) {}
 
     void take() {
-        std::vector<Uncertainty> all;
+        std::vector<ColumnUncertainty> all;
         for (std::size_t c = 0; c < plan_.columns.size(); ++c) {
             if (plan_.columns[c].role != ColumnRole::value) continue;
             const std::optional<UncertaintyName> named = named_by(c);
@@ -43,8 +43,8 @@ public:
             values.push_back(c);
             by_base[plain_base(plan_.columns[c].header)].push_back(c);
         }
-        std::map<std::size_t, std::vector<const Uncertainty*>> of_value;
-        for (const Uncertainty& each : all) {
+        std::map<std::size_t, std::vector<const ColumnUncertainty*>> of_value;
+        for (const ColumnUncertainty& each : all) {
             const auto named = by_base.find(each.name.base);
             const bool by_name = !each.name.base.empty() && named != by_base.end();
             for (const std::size_t value : by_name ? named->second : owners_by_place(each, values, all)) {
@@ -54,7 +54,7 @@ public:
             }
         }
         for (const auto& [value, uncertainties] : of_value) plan_.columns[value].sigma = best_of(uncertainties);
-        for (const Uncertainty& each : all) {
+        for (const ColumnUncertainty& each : all) {
             const bool used = std::ranges::any_of(
                 of_value, [&](const auto& owned) { return plan_.columns[owned.first].sigma == each.column; });
             if (!used && !values.empty())
@@ -75,13 +75,13 @@ public:
 
     /// The columns that uncertainties belong to which name none of them: the one before; or, alone of their kind and at
     /// an end of the table, all; or, as many as the columns of values and behind all of them, one after the other.
-    [[nodiscard]] static std::vector<std::size_t> owners_by_place(const Uncertainty& each,
+    [[nodiscard]] static std::vector<std::size_t> owners_by_place(const ColumnUncertainty& each,
                                                                   const std::vector<std::size_t>& values,
-                                                                  const std::vector<Uncertainty>& all) {
+                                                                  const std::vector<ColumnUncertainty>& all) {
         const bool names_another = !each.name.base.empty();
         if (names_another && (values.size() != 1 || each.column != values.front() + 1)) return {};
         std::vector<std::size_t> alike;  // in name
-        for (const Uncertainty& other : all) {
+        for (const ColumnUncertainty& other : all) {
             if (other.name.base.empty() && other.name.rank == each.name.rank) alike.push_back(other.column);
         }
         const auto behind = std::ranges::upper_bound(values, each.column);
@@ -92,8 +92,8 @@ public:
         return behind == values.begin() ? std::vector<std::size_t>{} : std::vector{*std::prev(behind)};
     }
 
-    [[nodiscard]] std::size_t best_of(const std::vector<const Uncertainty*>& uncertainties) const {
-        const auto weight = [](const Uncertainty* each) {
+    [[nodiscard]] std::size_t best_of(const std::vector<const ColumnUncertainty*>& uncertainties) const {
+        const auto weight = [](const ColumnUncertainty* each) {
             return each->name.rank + (each->name.base.empty() ? 100 : 0);
         };
         const auto best = std::ranges::min_element(uncertainties, {}, weight);

@@ -71,8 +71,9 @@ std::string without_unit_in_brackets(std::string name) {
     return is_unit ? name.substr(0, open) : name;
 }
 
-/// A factor of coverage other than 1: `k=2`, `2 sigma` and `2*SD` in front, `2sigma`.
-bool is_covered(const Tokens& tokens) {
+/// A factor of coverage other than 1: `k=2`, `2 sigma` and `2*SD` in front, `2sigma`; but of `2_sigma` the 2 may be the
+/// name of what is measured.
+bool is_covered(const Tokens& tokens, std::string_view name) {
     static constexpr std::array<std::string_view, 6> words = {"sigma", "sd", "std", "se", "sem", "u"};
     const auto is_factor = [](std::string_view text) {
         return !text.empty() && text != "1" && text.find_first_not_of("0123456789") == std::string_view::npos;
@@ -84,7 +85,11 @@ bool is_covered(const Tokens& tokens) {
         const bool is_word = std::ranges::find(words, token.substr(letters)) != words.end();
         if (token == "k" && is_factor(next)) return true;
         if (letters > 0 && is_factor(token.substr(0, letters)) && is_word) return true;
-        if (i == 0 && is_factor(token) && std::ranges::find(words, next) != words.end()) return true;
+        const bool apart = name.size() > token.size() && (name[token.size()] == ' ' || name[token.size()] == '*');
+        if (i == 0 && apart && is_factor(token) && std::ranges::find(words, next) != words.end() &&
+            name.find('%') == std::string_view::npos) {
+            return true;
+        }
     }
     return false;
 }
@@ -101,7 +106,7 @@ bool is_not_standard(const Tokens& tokens, std::string_view name) {
     const bool capital = name == "U" || name.starts_with("U(") || name.starts_with("U (") || name.starts_with("U_") ||
                          name.starts_with("U [") || name.ends_with("_U");
     const bool is_interval = contains(name, "95%") || contains(name, "95 %") || contains(name, "99%");
-    return marked || capital || is_interval || is_covered(tokens);
+    return marked || capital || is_interval || is_covered(tokens, name);
 }
 
 /// Without what says that values are means, where anything else is left.

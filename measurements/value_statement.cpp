@@ -167,6 +167,18 @@ bool is_scaled(const std::string& text, bool names_quantity) {
     return false;
 }
 
+/// What may stand beside the word for a quantity, between blanks: parts of units and of formulas, words for readings.
+constexpr std::string_view fillers =
+    " digital given transformed spectrum spectra spectral data value values reading readings unit units mode "
+    "in is are as the of measured y axis scale level mean average apparent file raw signal total diffuse "
+    "regular hemispherical specular directional relative absolute factor number numbers optical density munk "
+    "function f r t a u au k s m 1 0 10 100 2 w uw cm m2 cm2 sr nm measurement measurements internal 1st 2nd "
+    "first ";
+
+bool is_filler(const std::string& token) {
+    return fillers.find(" " + token + " ") != std::string_view::npos;
+}
+
 }  // namespace
 
 ValueStatement values_stated(std::string_view text) {
@@ -187,85 +199,11 @@ ValueStatement values_stated(std::string_view text) {
 }
 
 ValueStatement values_stated_wholly(std::string_view text) {
-    // What may stand beside the word for a quantity: parts of units and of formulas, and words for readings.
-    static constexpr std::array<std::string_view, 73> fillers = {"digital",
-                                                                 "given",
-                                                                 "transformed",
-                                                                 "spectrum",
-                                                                 "spectra",
-                                                                 "spectral",
-                                                                 "data",
-                                                                 "value",
-                                                                 "values",
-                                                                 "reading",
-                                                                 "readings",
-                                                                 "unit",
-                                                                 "units",
-                                                                 "mode",
-                                                                 "in",
-                                                                 "is",
-                                                                 "are",
-                                                                 "as",
-                                                                 "the",
-                                                                 "of",
-                                                                 "measured",
-                                                                 "y",
-                                                                 "axis",
-                                                                 "scale",
-                                                                 "level",
-                                                                 "mean",
-                                                                 "average",
-                                                                 "apparent",
-                                                                 "file",
-                                                                 "raw",
-                                                                 "signal",
-                                                                 "total",
-                                                                 "diffuse",
-                                                                 "regular",
-                                                                 "hemispherical",
-                                                                 "specular",
-                                                                 "directional",
-                                                                 "relative",
-                                                                 "absolute",
-                                                                 "factor",
-                                                                 "number",
-                                                                 "numbers",
-                                                                 "optical",
-                                                                 "density",
-                                                                 "munk",
-                                                                 "function",
-                                                                 "f",
-                                                                 "r",
-                                                                 "t",
-                                                                 "a",
-                                                                 "u",
-                                                                 "au",
-                                                                 "k",
-                                                                 "s",
-                                                                 "m",
-                                                                 "1",
-                                                                 "0",
-                                                                 "10",
-                                                                 "100",
-                                                                 "2",
-                                                                 "w",
-                                                                 "uw",
-                                                                 "cm",
-                                                                 "m2",
-                                                                 "cm2",
-                                                                 "sr",
-                                                                 "nm",
-                                                                 "measurement",
-                                                                 "measurements",
-                                                                 "internal",
-                                                                 "1st",
-                                                                 "2nd",
-                                                                 "first"};
     const ValueStatement statement = values_stated(text);
     if (statement.is_empty()) return {};
     const std::vector<std::string> tokens = tokens_of(plain_text(text));
     const bool wholly = std::ranges::all_of(
-        tokens, [](const std::string& token) { return is_one_of(token, fillers) || !values_stated(token).is_empty(); });
+        tokens, [](const std::string& token) { return is_filler(token) || !values_stated(token).is_empty(); });
     return wholly ? statement : ValueStatement{};
 }
 

@@ -6,7 +6,7 @@
 
 namespace skinfit {
 
-/// The name of a column that a wavelength stands in, taken apart: of `R_400nm [SCI]` these are 400, `nm`, `R SCI`.
+/// The name of a column that a wavelength stands in, taken apart: of `R_400nm_SCI` these are 400, `nm`, `R SCI`.
 struct WavelengthName {
     double number;
     std::string unit;   ///< empty, `nm`, `um`, `cm-1`, `1/cm`, `thz`, `ev`

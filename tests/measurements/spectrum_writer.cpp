@@ -80,7 +80,8 @@ TEST(SpectrumWriter, OneSpectrumReadsBackToTheLastBit) {
 
 TEST(SpectrumWriter, SeveralReadBackToTheLastBit) {
     std::mt19937_64 random(2);
-    std::vector<Spectrum> several{complete("a", random), complete("b, \"x\" # y", random), complete("3 %", random)};
+    std::vector<Spectrum> several{complete("a", random), complete("b, \"x\" # y", random), complete("3 %", random),
+                                  complete("2", random)};
     several[1].sigma.clear();
     several[1].sigma_source.clear();
     expect_round_trip(several, spectra_csv(several, "f"));

@@ -127,7 +127,10 @@ TEST(SpectrumFitter, WhatCannotBeFittedHasFailedAndSaysWhy) {
     Spectrum spectrum = shipped();
     spectrum.sigma.assign(spectrum.value.size(), 0.01);
     spectrum.sigma[3] = 0.0;
-    const StudiedSpectrum studied = fitter().fit(spectrum);
+    EXPECT_EQ(fitter().fit(spectrum).status, FitStatus::rejected);
+    Study accepting = plain_study();
+    accepting.accept = {"unusable_uncertainty"};
+    const StudiedSpectrum studied = SpectrumFitter(accepting, no_cache()).fit(spectrum);
     EXPECT_EQ(studied.status, FitStatus::failed);
     EXPECT_NE(studied.reason.find("sigma is 0 at 405 nm (a standard uncertainty is above 0)"), std::string::npos)
         << studied.reason;
