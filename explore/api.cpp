@@ -86,7 +86,7 @@ Json Api::exported(const MeasuredRequest& request) {
     // Of several the geometry stays open: each spectrum states its own.
     const bool is_one = models.size() == 1;
     return {{"simulations", std::move(simulations)},
-            {"configuration", to_json(is_one ? models.front().configuration : fit_configuration(request))}};
+            {"configuration", to_json(is_one ? models.front().configuration : stated_configuration(request))}};
 }
 
 ApiAnswer Api::started(const Json& request) {

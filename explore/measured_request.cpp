@@ -67,9 +67,13 @@ MeasuredRequest measured_request(const Json& request) {
     const Json measured = request.value("measured", Json::array());
     if (measured.is_array() && measured.empty()) return found;
     const std::string text = Json{{"spectra", measured}}.dump(-1, ' ', false, Json::error_handler_t::replace);
-    const WavelengthWindow window = window_of(configuration_for(found.stated, {}));
+    const WavelengthWindow window = window_of(stated_configuration(found));
     found.spectra = parse_spectra(text, found.source, {.window = window}, "json").spectra;
     return found;
+}
+
+Configuration stated_configuration(const MeasuredRequest& request) {
+    return configuration_for(request.stated, {});
 }
 
 Configuration fit_configuration(const MeasuredRequest& request) {

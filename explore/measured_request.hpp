@@ -26,6 +26,9 @@ struct MeasuredRequest {
 /// The parts of `request`, of which each may be missing. Throws InputError for spectra that cannot be read.
 [[nodiscard]] MeasuredRequest measured_request(const Json& request);
 
+/// What the page states, whatever its spectra state.
+[[nodiscard]] Configuration stated_configuration(const MeasuredRequest& request);
+
 /// The configuration by which the spectra are fitted together: what is stated, else what they state of edition, layers
 /// and base, else `explore_configuration`. Throws InputError.
 [[nodiscard]] Configuration fit_configuration(const MeasuredRequest& request);

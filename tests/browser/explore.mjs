@@ -96,7 +96,7 @@ onPage("undoes, redoes, and comes back from its link", async (page) => {
     await page.keyboard.press("End");
     await page.locator("input[value=printed]").check({force: true});
     await page.getByRole("button", {name: "Undo"}).click();
-    assert.ok(await page.locator("input[value=revised]").isChecked());
+    await until(() => page.locator("input[value=revised]").isChecked(), Boolean, "the edition of before");
     await page.getByRole("button", {name: "Undo"}).click();
     assert.equal(await number(page, "melanosome_fraction").inputValue(), begin);
     await page.getByRole("button", {name: "Redo"}).click();
@@ -199,6 +199,10 @@ const kinds = {
 for (const [kind, text] of Object.entries(kinds)) {
     onPage(`draws the model that the fit used, with the geometry of the file: ${kind}`, async (page) => {
         await drop(page, "arm.csv", text);
+        if (text.includes("ncsu_45_0")) {  // sees light in a cone, which the solver alone knows
+            await page.getByText("How it is fitted").click();
+            await page.locator("#setting-engine").selectOption("solver");
+        }
         await page.getByRole("button", {name: "Fit", exact: true}).click();
         await page.getByRole("table", {name: "Fitted values"}).waitFor({timeout: 120_000});
         await page.getByRole("button", {name: "sliders to fit 1"}).click();
@@ -346,13 +350,13 @@ onPage("shows names of files as text, and writes out what is not to be seen", as
     await page.getByRole("table", {name: "Fitted values"}).waitFor({timeout: 120_000});
     const text = await page.locator("body").evaluate((body) => body.textContent);
     assert.ok(!/[\u0000-\u0008\u000b-\u001f\u007f-\u009f\u202a-\u202e]/.test(text), JSON.stringify(text.match(/.{9}[\u0000-\u0008\u000b-\u001f\u202e].{9}/)));
-    assert.ok(text.includes(`${name}\\u{202e}\\x1b[31m\\nverdict: trustworthy`));
-    assert.ok(text.includes("<b>a</b>\\x07\\u{202e}.json"));
+    assert.ok(text.includes(`${name}\\u202e\\x1b[31m\\nverdict: trustworthy`));
+    assert.ok(text.includes("<b>a</b>\\x07\\u202e.json"));
     assert.equal(await page.locator("img, .file b, .comparison b, .u-legend b").count(), 0);
     await drop(page, "<i>bad</i>\u001b.txt", "dear diary\n");
     assert.match(await page.getByRole("alert").textContent(), /^<i>bad<\/i>\\x1b\.txt/);
     await page.evaluate(() => { location.hash = "#measured=" + encodeURIComponent("<u>b</u>\u202e.csv"); });
-    await until(() => page.getByRole("alert").allTextContents(), (all) => all.some((each) => each.includes("<u>b</u>\\u{202e}.csv")), "the escaped name");
+    await until(() => page.getByRole("alert").allTextContents(), (all) => all.some((each) => each.includes("<u>b</u>\\u202e.csv")), "the escaped name");
 }, {complaints: true});
 
 onPage("says on a phone that a table goes on to the right", async (page) => {

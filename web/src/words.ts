@@ -3,10 +3,11 @@
 const short: {[character: string]: string} = {"\n": "\\n", "\r": "\\r", "\t": "\\t"};
 
 /// `text` with all that is not to be seen, or moves what is, written out: control characters, line ends, marks of
-/// direction, characters of no width.
+/// direction, characters of no width; as the program itself writes them.
 export const visible = (text: string): string => text.replace(/[\p{C}\p{Zl}\p{Zp}]/gu, (character) => {
-    const code = character.codePointAt(0)!.toString(16);
-    return short[character] ?? (code.length > 2 ? `\\u{${code}}` : `\\x${code.padStart(2, "0")}`);
+    const code = character.codePointAt(0)!;
+    const digits = code.toString(16);
+    return short[character] ?? (code < 0x80 ? `\\x${digits.padStart(2, "0")}` : `\\u${digits.padStart(4, "0")}`);
 });
 
 /// The same as there is room for it.
