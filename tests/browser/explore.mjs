@@ -199,6 +199,8 @@ const kinds = {
 for (const [kind, text] of Object.entries(kinds)) {
     onPage(`draws the model that the fit used, with the geometry of the file: ${kind}`, async (page) => {
         await drop(page, "arm.csv", text);
+        await page.getByRole("button", {name: "Remove arm.csv"}).waitFor();
+        await until(() => page.locator(".drawn-for").textContent(), (words) => /as the file says/.test(words), "the geometry of the file");
         if (text.includes("ncsu_45_0")) {  // sees light in a cone, which the solver alone knows
             await page.getByText("How it is fitted").click();
             await page.locator("#setting-engine").selectOption("solver");
