@@ -102,6 +102,7 @@ onPage("undoes, redoes, and comes back from its link", async (page) => {
     await page.getByRole("button", {name: "Redo"}).click();
     await page.getByRole("button", {name: "Redo"}).click();
     await until(() => page.url(), (url) => url.includes("edition=printed"), "the link");
+    await until(() => page.locator(".drawn-for").textContent(), (words) => /edition printed/.test(words), "the printed edition");
     const colour = await until(() => hue(page), Boolean, "a colour");
     await page.reload();
     await page.waitForSelector(".plot canvas");
