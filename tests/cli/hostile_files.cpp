@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 
@@ -106,6 +107,19 @@ TEST_F(HostileFiles, ThatPromiseMoreThanTheyHold) {
     expect_message("cube.dat",
                    "cube.dat: has 0 bytes (its header promises 4000000000000000000); copy the file again if it is cut "
                    "short, else correct the sizes in the header");
+}
+
+TEST_F(HostileFiles, OfMoreWavelengthsThanAnyEngineFits) {
+    std::string text = "wavelength_nm,reflectance\n";
+    for (int i = 0; i < 10'001; ++i) text += fmt::format("{},{}\n", 400 + 0.02 * i, 0.2 + 1e-5 * i);
+    put("fine.csv", text);
+    for (const std::string engine : {"paths", "solver", "emulator"}) {
+        const Outcome outcome = run({"fit", "fine.csv", "--set", "engine=" + engine});
+        EXPECT_EQ(outcome.exit_code, 2) << engine;
+        EXPECT_EQ(outcome.err,
+                  "error: fine.csv: holds 10001 wavelengths between 400 and 700 nm (at most 10000 are fitted); average "
+                  "neighbours, or narrow the window\n");
+    }
 }
 
 }  // namespace
