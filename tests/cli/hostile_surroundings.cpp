@@ -118,7 +118,9 @@ TEST_F(HostileSurroundings, AFailingGnuplotCostsThePictureAlone) {
 TEST_F(HostileSurroundings, OneSignalEndsAHangingPictureAndKeepsTheResult) {
     const Outcome plain = run(fit);
     const fs::path mark = folder().parent_path() / "hangs";
-    put_gnuplot("echo $$ > " + mark.string() + "; sleep 1000");
+    // Moved there whole: a mark that is seen has its number.
+    const std::string written = mark.string() + ".new";
+    put_gnuplot("echo $$ > " + written + "; mv " + written + " " + mark.string() + "; sleep 1000");
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         fs::remove(mark);
         const StartedProgram program(
