@@ -112,6 +112,12 @@ Complaint unknown_word(const CLI::App& command, const std::string& word) {
     const std::vector<std::string> commands = command_names(command);
     if (word.starts_with('-')) {
         const std::string option = word.substr(0, word.find('='));
+        if (const auto own = option_names(command); std::ranges::find(own, option) != own.end()) {
+            return {.where = "command line",
+                    .problem = fmt::format("{} stands before the command", option),
+                    .why = fmt::format("it belongs to `{}`", called(command)),
+                    .remedy = fmt::format("write it after `{}`", called(command))};
+        }
         return {.where = "command line",
                 .problem = fmt::format("unknown option {}", option),
                 .why = fmt::format("`{}` does not have it", called(command)),

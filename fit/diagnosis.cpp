@@ -46,8 +46,8 @@ void judge_misfit(const FitResult& result, std::vector<std::string>& reasons) {
         reasons.push_back(fmt::format(
             "MISFIT beyond the noise: chi2 {:.1f} for {:.3g} degrees of freedom (p = {:.1g}), rmse {:.4f} "
             "against a noise of "
-            "{:.4f}; check geometry and specular, free scale or other parameters, set discrepancy, or state a "
-            "larger noise",
+            "{:.4f}; check geometry and specular, free scale or other parameters, set discrepancy, or state "
+            "larger uncertainties, by the setting noise or in the file where it gives its own",
             result.chi2, result.degrees_of_freedom, *result.p_value, result.rmse, result.median_sigma));
     }
 }

@@ -143,7 +143,7 @@ Measurement make_measurement(const ResolvedConfiguration& configuration, const S
         .sigma = {},
         .sigma_source = spectrum.sigma.empty()
                             ? fmt::format("{} at every wavelength (setting noise)", configuration.noise)
-                            : spectrum.sigma_source,
+                            : spectrum.sigma_source + ", in place of the setting noise",
         .walk = {.incidence_rad = configuration.incidence_deg * rad_per_deg,
                  .rays = configuration.rays,
                  .seed = configuration.seed}};

@@ -23,19 +23,10 @@ std::string parameters_text(const Configuration& configuration) {
     return text;
 }
 
-struct ErrorNames {
-    std::string reflectance;
-    std::string transmittance;
-};
-
-/// What the errors of the readings are called. Those of solver and emulator are bounds, alike from one run to the next:
-/// no standard uncertainties by which a fit may weigh the readings.
-ErrorNames error_names(const Configuration& configuration) {
-    if (configuration.engine == Engine::paths || configuration.engine == Engine::walk) {
-        return {.reflectance = "reflectance_se", .transmittance = "transmittance_se"};
-    }
-    return {.reflectance = "reflectance_model_error", .transmittance = "transmittance_model_error"};
-}
+/// The errors of the readings, whatever made them, are the model's and not those of a measurement: their names are none
+/// by which a fit would weigh the readings.
+constexpr std::string_view reflectance_error = "reflectance_model_error";
+constexpr std::string_view transmittance_error = "transmittance_model_error";
 
 }  // namespace
 
@@ -54,9 +45,8 @@ std::string simulation_csv(const std::vector<Reading>& readings, const Configura
         text += fmt::format("# bandpass_shape: {}\n# bandpass_width_nm: {}\n", word("bandpass_shape"), band->width_nm);
     }
     text += fmt::format("# unit: fraction\n# parameters:{}\n", parameters_text(configuration));
-    const ErrorNames errors = error_names(configuration);
-    text += fmt::format("wavelength_nm,reflectance,{},transmittance,{},surface_reflectance\n", errors.reflectance,
-                        errors.transmittance);
+    text += fmt::format("wavelength_nm,reflectance,{},transmittance,{},surface_reflectance\n", reflectance_error,
+                        transmittance_error);
     for (const Reading& reading : readings) {
         text += fmt::format("{},{},{},{},{},{}\n", reading.wavelength_nm, reading.reflectance, reading.reflectance_se,
                             reading.transmittance, reading.transmittance_se, reading.surface_reflectance);
@@ -66,17 +56,16 @@ std::string simulation_csv(const std::vector<Reading>& readings, const Configura
 
 Json simulation_json(const std::vector<Reading>& readings, const Configuration& configuration) {
     const Json settings = settings_of(configuration);
-    const ErrorNames errors = error_names(configuration);
     Json json;
-    const auto column = [&](const std::string& name, double Reading::*field) {
+    const auto column = [&](std::string_view name, double Reading::*field) {
         json[name] = Json::array();
         for (const Reading& reading : readings) json[name].push_back(reading.*field);
     };
     column("wavelength_nm", &Reading::wavelength_nm);
     column("reflectance", &Reading::reflectance);
-    column(errors.reflectance, &Reading::reflectance_se);
+    column(reflectance_error, &Reading::reflectance_se);
     column("transmittance", &Reading::transmittance);
-    column(errors.transmittance, &Reading::transmittance_se);
+    column(transmittance_error, &Reading::transmittance_se);
     column("surface_reflectance", &Reading::surface_reflectance);
     for (const char* key : {"edition", "engine", "seed", "rays"}) json[key] = settings[key];
     json["version"] = version;

@@ -38,6 +38,13 @@ std::optional<Finding> unit_conflict(const Spectrum& spectrum) {
                        .remedy = "if these are fractions, say so with --unit fraction"};
     }
     const auto above = std::ranges::count_if(spectrum.value, [](double value) { return value > largest_fraction; });
+    if (2 * static_cast<std::size_t>(above) >= spectrum.value.size() && spectrum.unit_rule.starts_with("percent")) {
+        return Finding{.name = "unit_conflict",
+                       .spectrum = spectrum.name,
+                       .message = fmt::format("read as percent, {} of {} values exceed {:g} ({})", above,
+                                              spectrum.value.size(), 100 * largest_fraction, spectrum.unit_rule),
+                       .remedy = "if these are counts, divide them by those of the white reference"};
+    }
     if (2 * static_cast<std::size_t>(above) >= spectrum.value.size()) {
         return Finding{.name = "unit_conflict",
                        .spectrum = spectrum.name,

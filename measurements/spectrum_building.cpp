@@ -39,6 +39,12 @@ void refuse_second_spectrum(std::span<const double> wavelength_nm, std::span<con
          .remedy = "give each spectrum a column, or a file, of its own"});
 }
 
+/// How many of the readings before `start` lie at its wavelength or beyond.
+std::size_t reaching_into(std::span<const double> wavelength_nm, double sign, std::size_t start) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        wavelength_nm.first(start), [&](double each) { return sign * (each - wavelength_nm[start]) >= 0; }));
+}
+
 /// The readings of later detectors at wavelengths that an earlier one has measured; nothing where the wavelengths are
 /// no overlapping runs.
 std::vector<std::size_t> overlaps(std::span<const double> wavelength_nm,
@@ -61,7 +67,7 @@ std::vector<std::size_t> overlaps(std::span<const double> wavelength_nm,
             left_out.push_back(i);
             ++shared;
         }
-        if (k > 0 && shared < 2) return {};  // one wavelength that comes twice is a slip
+        if (k > 0 && std::min(shared, reaching_into(wavelength_nm, sign, starts[k])) < 2) return {};  // a slip
         if (2 * shared > starts[k + 1] - starts[k]) {
             refuse_second_spectrum(wavelength_nm, left_out, place(starts[k]));
             return {};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "fit/prior.hpp"
 #include "study/marginal.hpp"
 
 namespace skinfit {
@@ -24,6 +25,23 @@ struct Belief {
     MarginalDistribution marginal;
     bool decided_by_prior;
 };
+
+/// The share of the prior of a fit above `threshold`, within its bounds.
+double prior_above(const ParameterEstimate& parameter, double threshold) {
+    const Bounds& bounds = parameter.bounds;
+    const double split = std::clamp(threshold, bounds.lower, bounds.upper);
+    if (!parameter.prior) return (bounds.upper - split) / (bounds.upper - bounds.lower);
+    return mass_within(*parameter.prior, {.lower = split, .upper = bounds.upper}) /
+           mass_within(*parameter.prior, bounds);
+}
+
+/// What a probability becomes where `prevalence` was to be expected in place of `expected`, which lies between 0 and 1:
+/// its odds change by as much as those (Bayes's rule).
+double at_prevalence(double probability, double expected, double prevalence) {
+    const double yes = probability * prevalence / expected;
+    const double no = (1.0 - probability) * (1.0 - prevalence) / (1.0 - expected);
+    return yes / (yes + no);
+}
 
 std::optional<Belief> belief_in(const LedgerRow& row, const std::string& quantity) {
     if (!has_answer(row.studied.status)) return std::nullopt;
@@ -81,7 +99,16 @@ IndicatorAnswer answer(const Indicator& indicator, const LedgerRow& row, const R
         }
         above /= static_cast<double>(found->second.size());
     }
-    return {.probability = indicator.above ? above : 1.0 - above, .why_none = {}, .decided_by_prior = decided_by_prior};
+    double probability = indicator.above ? above : 1.0 - above;
+    if (indicator.prevalence) {
+        const double above_it = prior_above(*parameter_of(row, indicator.quantity), *indicator.threshold);
+        const double expected = indicator.above ? above_it : 1.0 - above_it;
+        if (!(expected > 0.0 && expected < 1.0)) {
+            return {.probability = {}, .why_none = "the prior lies on one side of the threshold"};
+        }
+        probability = at_prevalence(probability, expected, *indicator.prevalence);
+    }
+    return {.probability = probability, .why_none = {}, .decided_by_prior = decided_by_prior};
 }
 
 /// Mean and standard deviation of a posterior whose distribution is linear between its quantiles.

@@ -25,9 +25,10 @@ struct AnsweredRow {
 };
 
 /// The probabilities of the study's indicators for all spectra of its ledger: from the marginal posterior, else from
-/// the interval of each quantity (`marginal_of`), never from the value alone. A reference is the spectrum measured
-/// where the indicator says on the same specimen; where there are several, the probability is the mean over them. A
-/// spectrum without a word for the specimen has none.
+/// the interval of each quantity (`marginal_of`), never from the value alone. Where the indicator states a prevalence,
+/// it takes the place of the share that the prior of the fit has beyond the threshold. A reference is the spectrum
+/// measured where the indicator says on the same specimen; where there are several, the probability is the mean over
+/// them. A spectrum without a word for the specimen has none.
 [[nodiscard]] std::vector<AnsweredRow> answered(const Study& study, std::vector<LedgerRow> rows);
 
 /// The estimate of a parameter or index of a spectrum, with its standard deviation where it has one.

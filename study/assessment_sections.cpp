@@ -46,8 +46,8 @@ std::string question_of(const Indicator& indicator) {
     const std::string side = indicator.above ? "above" : "below";
     const std::string unit = unit_of(indicator.quantity);
     if (indicator.threshold) {
-        return fmt::format("{} {} {:g}{}{}", indicator.quantity, side, *indicator.threshold, unit.empty() ? "" : " ",
-                           unit);
+        return fmt::format("{} {} {:g}{}{}{}", indicator.quantity, side, *indicator.threshold, unit.empty() ? "" : " ",
+                           unit, indicator.prevalence ? fmt::format(", prevalence {:g}", *indicator.prevalence) : "");
     }
     std::string where;
     for (const auto& [name, word] : indicator.reference->where) {

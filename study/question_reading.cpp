@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "core/input_error.hpp"
 #include "fit/json_reading.hpp"
+#include "fit/name_lists.hpp"
 #include "fit/settings.hpp"
 #include "model/parameters.hpp"
 #include "study/indices.hpp"
@@ -24,18 +27,19 @@ const Json& list(const Json& json, const std::string& where) {
     return json;
 }
 
+std::vector<std::string_view> index_names() {
+    std::vector<std::string_view> names;
+    for (const IndexInfo& info : index_table()) names.push_back(info.name);
+    return names;
+}
+
 /// The parameter or the index that an entry is about.
 std::string read_quantity(const Json& json, const std::string& where) {
     if (json.contains("parameter") == json.contains("index")) {
         refuse(where, json, R"(either "parameter" or "index" is needed)", "give one of the two");
     }
-    std::vector<std::string_view> known;
     const std::string key = json.contains("parameter") ? "parameter" : "index";
-    if (key == "parameter") {
-        for (const ParameterInfo& info : parameter_table()) known.push_back(info.name);
-    } else {
-        for (const IndexInfo& info : index_table()) known.push_back(info.name);
-    }
+    const std::vector<std::string_view> known = key == "parameter" ? parameter_names() : index_names();
     std::string name = word(json, key, where);
     if (std::ranges::find(known, name) == known.end()) refuse_unknown(where + "." + key, name, known);
     return name;
@@ -60,8 +64,17 @@ double read_threshold(const Json& value, const std::string& quantity, const std:
     return read_number(value, {.lowest = -far, .highest = far}, where);
 }
 
+double read_prevalence(const Json& value, const Indicator& indicator, const std::string& where) {
+    if (!find_parameter(indicator.quantity) || !indicator.threshold) {
+        refuse(where, value, "it takes the place of what a prior says of a threshold; here is none",
+               R"(leave it out, or ask about a "parameter" above or below a number)");
+    }
+    constexpr double least = 1e-6;  // none and all leave nothing to ask
+    return read_number(value, {.lowest = least, .highest = 1.0 - least}, where);
+}
+
 Indicator read_indicator(const Json& json, const std::string& where) {
-    require_names(json, {"name", "parameter", "index", "above", "below", "source"},
+    require_names(json, {"name", "parameter", "index", "above", "below", "source", "prevalence"},
                   {{"name", "source"}, "a reader must see what is asked, and why there", study_example}, where);
     if (json.contains("above") == json.contains("below")) {
         refuse(where, json, R"(either "above" or "below" is needed)", "give one of the two");
@@ -78,10 +91,29 @@ Indicator read_indicator(const Json& json, const std::string& where) {
     } else {
         indicator.threshold = read_threshold(json[key], indicator.quantity, where + "." + key);
     }
+    if (json.contains("prevalence")) {
+        indicator.prevalence = read_prevalence(json["prevalence"], indicator, where + ".prevalence");
+    }
     return indicator;
 }
 
 }  // namespace
+
+void check_quantity(const std::string& quantity, const FitSettings& settings, const std::string& where) {
+    const std::optional<Parameter> parameter = find_parameter(quantity);
+    if (!parameter) {
+        std::vector<std::string_view> known = index_names();
+        if (std::ranges::find(known, quantity) != known.end()) return;
+        std::ranges::copy(parameter_names(), std::back_inserter(known));
+        refuse_unknown(where, quantity, known);
+    }
+    if (settings.free[static_cast<std::size_t>(*parameter)]) return;
+    throw InputError(
+        {.where = where,
+         .problem = fmt::format("{} is not adjusted by the fits", quantity),
+         .why = "they hold it at one value, and say nothing about it",
+         .remedy = fmt::format(R"(add "+{}" to "free" of the study's "fit", or ask about another)", quantity)});
+}
 
 std::vector<Indicator> read_indicators(const Json& json, const std::string& where) {
     std::vector<Indicator> indicators;

@@ -77,6 +77,8 @@ struct Indicator {
     std::optional<double> threshold;         ///< in the quantity's unit; set where `reference` is not
     std::optional<ReferenceSite> reference;  ///< a value measured elsewhere is the threshold
     std::string source;                      ///< where the threshold comes from
+    /// The share of those who are measured that lies beyond the threshold, 0 to 1 exclusive; unset: as the prior says.
+    std::optional<double> prevalence{};
 };
 
 /// A check of the study's answers against what is known of its spectra.

@@ -131,6 +131,9 @@ Study parse_study(std::string_view text, const std::filesystem::path& path, cons
     study.group_by = read_words(json, "group_by", where);
     study.repeats_of = read_word(json, "repeats_of", where);
     if (json.contains("indicators")) study.indicators = read_indicators(json["indicators"], where + ".indicators");
+    for (const Indicator& each : study.indicators) {
+        check_quantity(each.quantity, study.configuration, fmt::format("{}: indicator {}", where, each.name));
+    }
     if (json.contains("assess")) {
         study.assessments = read_assessments(json["assess"], study.indicators, where + ".assess");
     }

@@ -53,6 +53,7 @@ Json definitions_json(const Study& study) {
         }
         json[indicator.above ? "above" : "below"] = threshold;
         json["source"] = indicator.source;
+        if (indicator.prevalence) json["prevalence"] = *indicator.prevalence;
         indicators.push_back(json);
     }
     Json indices = Json::array();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/input_error.hpp"
+#include "study/question_reading.hpp"
 #include "study/study_assessment.hpp"
 
 namespace skinfit {
@@ -36,13 +37,17 @@ Scatter scatter_of(const Study& study, const std::vector<StudyGroup>& groups, co
     return scatter;
 }
 
+std::optional<RepeatabilityAnalysis> repeats_in(const Study& study, const Scatter& scatter) {
+    return study.repeats_of.empty() ? std::nullopt : repeatability(scatter.estimates);
+}
+
 TwoGroupDesign design_of(const Study& study, const Scatter& scatter, const PowerQuestion& question) {
     TwoGroupDesign design{
         .between_subject_sd = std::sqrt(scatter.squares / static_cast<double>(scatter.degrees_of_freedom)),
         .measurement_sd = 0.0,
         .repeats = question.repeats};
-    if (study.repeats_of.empty()) return design;
-    if (const std::optional<RepeatabilityAnalysis> repeats = repeatability(scatter.estimates)) {
+    const std::optional<RepeatabilityAnalysis> repeats = repeats_in(study, scatter);
+    if (repeats) {
         design.measurement_sd = repeats->within_specimen_sd.value;
         design.between_subject_sd = repeats->between_specimen_sd.value_or(0.0);
     }
@@ -72,15 +77,25 @@ void add_contrasts(PowerAnswer& answer) {
 }  // namespace
 
 PowerAnswer power_answer(const Study& study, const std::vector<AnsweredRow>& rows, const PowerQuestion& question) {
+    check_quantity(question.quantity, study.configuration, "--quantity");
     const std::vector<StudyGroup> groups = groups_of(study, rows);
     const Scatter scatter = scatter_of(study, groups, question.quantity);
     if (scatter.degrees_of_freedom == 0 || !(scatter.squares > 0.0)) {
         throw InputError({.where = question.quantity,
                           .problem = "has no scatter in the study",
                           .why = "no group has two different estimates of it",
-                          .remedy = "run the study first, and name a parameter that its fits adjust, or an index"});
+                          .remedy = "run the study first, with more spectra in a group"});
+    }
+    const bool knows_repeats = repeats_in(study, scatter).has_value();
+    if (question.repeats > 1 && !knows_repeats) {
+        throw InputError({.where = "--repeats",
+                          .problem = fmt::format("{} cannot be reckoned with", question.repeats),
+                          .why = "the study does not tell how far repeats scatter: no specimen is measured twice, or "
+                                 "\"repeats_of\" does not say which spectra are of one",
+                          .remedy = "leave it out, or state \"repeats_of\""});
     }
     PowerAnswer answer{.question = question,
+                       .knows_repeats = knows_repeats,
                        .design = design_of(study, scatter, question),
                        .slope_source = "taken as 1: the study knows no true values",
                        .groups = {},
@@ -106,9 +121,16 @@ std::string power_text(const PowerAnswer& answer) {
     const std::string of_unit = unit.empty() ? "" : " " + unit;
     std::string text = fmt::format("{}: two groups, two-sided t test at level {:g}, power {:g}\n",
                                    answer.question.quantity, answer.design.significance_level, answer.question.power);
-    text += fmt::format(
-        "standard deviation of estimates between subjects {:.3g}{}, of repeats {:.3g}{}; measurements per subject {}\n",
-        answer.design.between_subject_sd, of_unit, answer.design.measurement_sd, of_unit, answer.design.repeats);
+    text += answer.knows_repeats
+                ? fmt::format(
+                      "standard deviation of estimates between subjects {:.3g}{}, of repeats {:.3g}{}; "
+                      "measurements per subject {}\n",
+                      answer.design.between_subject_sd, of_unit, answer.design.measurement_sd, of_unit,
+                      answer.design.repeats)
+                : fmt::format(
+                      "standard deviation of estimates {:.3g}{}; that of repeats is unknown, so that one "
+                      "measurement per subject is reckoned with\n",
+                      answer.design.between_subject_sd, of_unit);
     text += fmt::format("a true difference shows in the estimates at {:.3g} of its size ({})\n\n", answer.design.slope,
                         answer.slope_source);
     text += "  subjects per group   detectable true difference\n";
@@ -151,7 +173,7 @@ Json power_json(const PowerAnswer& answer) {
             {"power", answer.question.power},
             {"significance_level", answer.design.significance_level},
             {"between_subject_sd", answer.design.between_subject_sd},
-            {"measurement_sd", answer.design.measurement_sd},
+            {"measurement_sd", answer.knows_repeats ? Json(answer.design.measurement_sd) : Json()},
             {"repeats", answer.design.repeats},
             {"slope", answer.design.slope},
             {"slope_source", answer.slope_source},

@@ -36,6 +36,7 @@ struct GroupContrast {
 /// What a study says of a planned comparison.
 struct PowerAnswer {
     PowerQuestion question;
+    bool knows_repeats;  ///< of the study; else `design.measurement_sd` is 0 and that of repeats lies in the other
     TwoGroupDesign design;
     std::string slope_source;  ///< where `design.slope` comes from, in words
     std::vector<GroupMean> groups;
@@ -47,7 +48,8 @@ struct PowerAnswer {
 /// group: between specimens and between repeats where `Study::repeats_of` names them, else between spectra. How much of
 /// a true difference estimates show is the slope of estimates against `true_<quantity>` in the metadata where it is
 /// there, as in simulated cohorts, else taken as 1. Throws InputError where fewer than two spectra in a group have the
-/// quantity.
+/// quantity, where there is none of that name or the fits hold it, and for repeats whose scatter the study does not
+/// know.
 [[nodiscard]] PowerAnswer power_answer(const Study& study, const std::vector<AnsweredRow>& rows,
                                        const PowerQuestion& question);
 

@@ -191,6 +191,7 @@ TEST_F(BadInput, CommandLines) {
     expect_refused({"simulate", "--quiet=perhaps"}, "--quiet is given a value (it takes none); leave the value out");
     expect_refused({"study", "run", "a.json", "--quiet", "--verbose"}, "leave one of them out");
     expect_refused({"simulate", "--colum", "x"}, "unknown option --colum");
+    expect_refused({"--quiet", "simulate"}, "--quiet stands before the command (it belongs to `skinfit simulate`)");
 }
 
 TEST_F(BadInput, ValuesBeyondTheLimitsOfAnOption) {

@@ -84,6 +84,17 @@ TEST_F(GoodRuns, ThreadsDoNotChangeAByte) {
     }
 }
 
+/// The errors of a simulation are none of a measurement.
+TEST_F(GoodRuns, AFitOfASimulationTakesTheNoiseOfItsSettings) {
+    for (const std::string engine : {"paths", "solver"}) {
+        ASSERT_EQ(run({"simulate", "--engine", engine, "--rays", "1000", "--out", "skin.csv"}).exit_code, 0);
+        const Json fit = Json::parse(run({"fit", "skin.csv", "--column", "reflectance", "--set", "noise=0.004", "--set",
+                                          "engine=emulator", "--format", "json"})
+                                         .out);
+        EXPECT_EQ(fit["spectrum"]["sigma_source"], "0.004 at every wavelength (setting noise)");
+    }
+}
+
 TEST_F(GoodRuns, SimulationHasItsColumns) {
     for (const std::string engine : {"walk", "paths"}) {
         const std::string text = output_of(
@@ -94,7 +105,8 @@ TEST_F(GoodRuns, SimulationHasItsColumns) {
         }
         ASSERT_EQ(rows.size(), 3U);
         EXPECT_EQ(rows[0],
-                  "wavelength_nm,reflectance,reflectance_se,transmittance,transmittance_se,surface_reflectance");
+                  "wavelength_nm,reflectance,reflectance_model_error,transmittance,transmittance_model_error,"
+                  "surface_reflectance");
         for (const std::string_view row : {rows[1], rows[2]}) {
             const std::vector<std::string_view> fields = split(row, ',');
             ASSERT_EQ(fields.size(), 6U);

@@ -41,6 +41,25 @@ TEST_F(StudyRuns, EverySpectrumHasAnAnswer) {
     EXPECT_EQ(counts["fitted"].get<int>() + counts["suspect"].get<int>(), spectra);
 }
 
+TEST_F(StudyRuns, QuestionsThatTheFitsCannotAnswerAreRefused) {
+    put_study("held", R"(["spectra.csv"])",
+              R"("indicators": [{"name": "dim", "parameter": "scale", "below": 1, "source": "the example"}])");
+    expect_refusal({"study", "run", "held.json"},
+                   "held.json: indicator dim: scale is not adjusted by the fits (they hold it at one value, and say "
+                   "nothing about it)");
+    put_study("whole", R"(["spectra.csv"])");
+    run_to_its_end("whole");
+    const auto power_of = [](const std::string& quantity) {
+        return std::vector<std::string>{"study", "power", "whole.json", "--quantity", quantity};
+    };
+    expect_refusal(power_of("bilirubin"), "did you mean \"bilirubin_g_per_l\"?");
+    expect_refusal(power_of("scale"), "scale is not adjusted by the fits");
+    std::vector<std::string> repeats = power_of("erythema_index");
+    EXPECT_NE(run(repeats).out.find("that of repeats is unknown"), std::string::npos);
+    repeats.insert(repeats.end(), {"--repeats", "3"});
+    expect_refusal(repeats, "--repeats: 3 cannot be reckoned with");
+}
+
 TEST_F(StudyRuns, AnswersAreThoseOfFit) {
     put_study("whole", R"(["spectra.csv"])");
     run_to_its_end("whole");

@@ -46,7 +46,7 @@ TEST_F(ViewingRuns, TheWalkSeesThroughTheCone) {
     };
     const Json walk = reading("walk");
     const Json solver = reading("solver");
-    const double error = walk["reflectance_se"][0].get<double>();
+    const double error = walk["reflectance_model_error"][0].get<double>();
     EXPECT_GT(error, 0.0);
     // Beyond 4.9 standard errors lies a millionth of the normal law.
     EXPECT_NEAR(walk["reflectance"][0].get<double>(), solver["reflectance"][0].get<double>(), 4.9 * error);

@@ -75,6 +75,10 @@ TEST(QualityFindings, NameAWrongUnit) {
     const Spectrum percent = made([](double at_nm) { return skin(at_nm) * 100; });
     EXPECT_EQ(unit_conflict(percent).value().remedy, "if these are percent, say so with --unit percent");
     EXPECT_FALSE(unit_conflict(made(skin)));
+    Spectrum counts = percent;
+    counts.unit_rule = "percent: stated by the option";
+    EXPECT_EQ(unit_conflict(counts).value().remedy,
+              "if these are counts, divide them by those of the white reference");
 }
 
 TEST(QualityFindings, NameValuesThatNoShareOfLightHas) {

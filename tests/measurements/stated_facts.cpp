@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "measurements/spectrum_building.hpp"
 #include "measurements/spectrum_file.hpp"
 #include "tests/support/refusal.hpp"
 
@@ -180,6 +181,18 @@ TEST(OverlappingDetectors, KeepTheReadingsOfTheFirst) {
     EXPECT_DOUBLE_EQ(arm.value.front(), 0.0742);
     EXPECT_TRUE(is_told(arm, "12 readings between 968.2 and 1007.8 nm"));
     EXPECT_EQ(only("overlapping_detectors/arm.sig", "3").value, arm.value);
+}
+
+/// 585 in place of 545: no second detector, and no reading is left out.
+TEST(OverlappingDetectors, AreMoreThanOneWavelengthOutOfPlace) {
+    std::vector<double> wavelengths;
+    for (int i = 0; i <= 60; ++i) wavelengths.push_back(400 + 5 * i);
+    wavelengths[29] = 585;
+    const Grid grid = make_grid(wavelengths, [](std::size_t) { return GridPlace{}; });
+    EXPECT_EQ(grid.order.size(), wavelengths.size());
+    EXPECT_EQ(grid.remark, "");
+    ASSERT_EQ(grid.repeated.size(), 1U);
+    EXPECT_EQ(grid.repeated.front().wavelength_nm, 585);
 }
 
 }  // namespace

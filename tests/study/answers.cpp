@@ -85,8 +85,45 @@ TEST(Answers, SayWhereThePriorDecidesTheQuantityOrItsReference) {
     EXPECT_TRUE(answers(questions, {row, reference})[0].indicators[1].decided_by_prior);
 }
 
+/// By Bayes's rule: a spectrum that says nothing leaves the prevalence, and the odds of any other are the likelihood
+/// ratio times those of the prevalence.
+TEST(Answers, APrevalenceTakesThePlaceOfWhatThePriorSays) {
+    ParameterEstimate ignorant = example_estimate("bilirubin_g_per_l", 0.1, 0.05);
+    ignorant.bounds = {.lower = 0.0, .upper = 1.0};
+    ignorant.quantiles = {0.0, 0.25, 0.5, 0.75, 1.0};  // the uniform prior, unchanged
+    Indicator asked = above("bilirubin_g_per_l", 0.2);
+    asked.prevalence = 0.1;
+    Indicator complement = asked;
+    complement.above = false;
+    complement.prevalence = 0.9;
+    const auto probabilities = [&](const ParameterEstimate& estimate) {
+        const std::vector<AnsweredRow> rows =
+            answers({above("bilirubin_g_per_l", 0.2), asked, complement}, {example_row("a", {}, estimate)});
+        return std::vector{rows[0].indicators[0].probability.value(), rows[0].indicators[1].probability.value(),
+                           rows[0].indicators[2].probability.value()};
+    };
+    const std::vector<double> unchanged = probabilities(ignorant);
+    EXPECT_NEAR(unchanged[0], 0.8, 1e-12);
+    EXPECT_NEAR(unchanged[1], 0.1, 1e-12);
+    EXPECT_NEAR(unchanged[2], 0.9, 1e-12);
+    ParameterEstimate informed = ignorant;
+    informed.quantiles = {0.0, 0.1, 0.2, 0.3, 1.0};
+    informed.prior = LogNormalPrior{.median = 0.2, .sigma_log = 1.0};
+    informed.bounds = {.lower = 0.0, .upper = 3.0};
+    const double beyond = std::erfc(-std::log(3.0 / 0.2) / std::sqrt(2.0)) / 2.0;  // of the prior, below 3 g/L
+    const double expected = (beyond - 0.5) / beyond;
+    const std::vector<double> changed = probabilities(informed);
+    EXPECT_NEAR(changed[0], 0.5, 1e-12);
+    EXPECT_NEAR(changed[1] / (1.0 - changed[1]), (0.1 / 0.9) * (1.0 - expected) / expected, 1e-12);
+    EXPECT_NEAR(changed[1] + changed[2], 1.0, 1e-12);
+}
+
 TEST(Answers, SayWhyThereIsNone) {
     LedgerRow row = saturated("a", "", 0.5);
+    Indicator beyond = above("oxygen_saturation", 1.0);
+    EXPECT_EQ(answers({beyond}, {row})[0].indicators[0].probability, 0.0);
+    beyond.prevalence = 0.3;
+    EXPECT_EQ(answers({beyond}, {row})[0].indicators[0].why_none, "the prior lies on one side of the threshold");
     EXPECT_EQ(answers({above("bilirubin_g_per_l", 0.1)}, {row})[0].indicators[0].why_none,
               "bilirubin_g_per_l is not known");
     row.studied.parameters[0].status = Status::not_identifiable;

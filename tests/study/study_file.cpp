@@ -49,7 +49,8 @@ TEST_F(StudyFiles, HoldsWhatItsFileSays) {
   "group_by": ["site", "visit"],
   "repeats_of": "subject",
   "indicators": [
-    {"name": "jaundiced", "parameter": "bilirubin_g_per_l", "above": 0.1, "source": "the example"},
+    {"name": "jaundiced", "parameter": "bilirubin_g_per_l", "above": 0.1, "source": "the example",
+     "prevalence": 0.5},
     {"name": "pale", "index": "melanin_index", "below": {"same": "subject", "where": {"site": "arm"}}, "source": "x"}],
   "assess": [
     {"indicator": "jaundiced", "label": "ill", "positive": "yes", "thresholds": [0.2, 0.8]},
@@ -72,6 +73,8 @@ TEST_F(StudyFiles, HoldsWhatItsFileSays) {
     EXPECT_TRUE(study.indicators[0].above);
     EXPECT_EQ(study.indicators[0].threshold, 0.1);
     EXPECT_FALSE(study.indicators[0].reference);
+    EXPECT_EQ(study.indicators[0].prevalence, 0.5);
+    EXPECT_FALSE(study.indicators[1].prevalence);
     EXPECT_FALSE(study.indicators[1].above);
     EXPECT_FALSE(study.indicators[1].threshold);
     EXPECT_EQ(study.indicators[1].reference->same, "subject");

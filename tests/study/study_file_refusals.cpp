@@ -138,6 +138,12 @@ TEST_F(StudyRefusals, OfIndicators) {
              "study.json.indicators[0].above: 1.5 cannot be used (out of range); give a number from 0 to 1"},
             {R"({"name": "i", "parameter": "oxygen_saturation", "below": "low", "source": "x"})",
              "study.json.indicators[0].below: \"low\" cannot be used (a number is needed); give a number from 0 to 1"},
+            {R"({"name": "i", "parameter": "oxygen_saturation", "above": 0.5, "source": "x", "prevalence": 1})",
+             "study.json.indicators[0].prevalence: 1 cannot be used (out of range); give a number from 1e-06 to "
+             "0.999999"},
+            {R"({"name": "i", "index": "melanin_index", "above": 40, "source": "x", "prevalence": 0.5})",
+             "study.json.indicators[0].prevalence: 0.5 cannot be used (it takes the place of what a prior says of a "
+             "threshold; here is none); leave it out, or ask about a \"parameter\" above or below a number"},
             {R"({"name": "i", "index": "melanin_index", "above": {"same": "subject"}, "source": "x"})",
              "study.json.indicators[0].above: no \"where\" (a reference needs both)" + example},
             {R"({"name": "i", "index": "melanin_index", "above": {"same": "subject", "where": {}}, "source": "x"})",
