@@ -28,7 +28,7 @@ EmulatorDomain emulator_domain(const Configuration& configuration, Side side,
                           .wavelengths_nm = true_wavelengths_nm(experiment, wavelengths_nm),
                           .ranges = {}};
     for (const Parameter parameter : free_parameters(configuration)) {
-        if (belongs_to_instrument(parameter)) continue;
+        if (belongs_to_instrument(parameter) || info(parameter).steers) continue;
         const Bounds& bounds = configuration.bounds[static_cast<std::size_t>(parameter)];
         domain.ranges.push_back({parameter, bounds.lower, bounds.upper});
     }

@@ -11,7 +11,7 @@ namespace skinfit {
 /// bounds.
 [[nodiscard]] EmulatorDomain emulator_domain(const FitProblem& problem, std::size_t number = 0);
 
-/// The same for a simulation at `wavelengths_nm`, as the instrument states them.
+/// The same for a simulation at `wavelengths_nm`, as the instrument states them: of one geometry.
 [[nodiscard]] EmulatorDomain emulator_domain(const Configuration& configuration, Side side,
                                              const std::vector<double>& wavelengths_nm);
 

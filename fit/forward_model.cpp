@@ -20,14 +20,15 @@ EscapedLight blank_light(std::size_t wavelengths, std::size_t parameters) {
             .share_by = Eigen::MatrixXd::Zero(rows, columns)};
 }
 
-/// What both models of one geometry say of one wavelength.
+/// What models whose light only absorption changes, or the fibrils too, say of one wavelength.
 struct LayerResponse {
     double share;
     double standard_error;
     const PerLayer<double>& by_optical_depth;
+    double by_fibril_radius_nm = 0.0;
 };
 
-/// The light where only absorption varies: `response(i)` at wavelength i.
+/// The light of such a model: `response(i)` at wavelength i.
 template <class Respond>
 EscapedLight absorbed_light(double surface_share, const Skin& skin, const std::vector<Extinction>& pigments,
                             std::span<const Parameter> parameters, const Respond& respond) {
@@ -40,7 +41,9 @@ EscapedLight absorbed_light(double surface_share, const Skin& skin, const std::v
         light.standard_error[row] = response.standard_error;
         for (std::size_t k = 0; k < parameters.size(); ++k) {
             light.share_by(row, static_cast<Index>(k)) =
-                pigment_derivative(response.by_optical_depth, skin, pigments[i], parameters[k]);
+                parameters[k] == Parameter::fibril_radius_nm
+                    ? response.by_fibril_radius_nm
+                    : pigment_derivative(response.by_optical_depth, skin, pigments[i], parameters[k]);
         }
     }
     return light;
@@ -62,6 +65,17 @@ EscapedLight light_of_model(const Emulator& emulator, const Experiment& experime
     const std::vector<EmulatedShare> shares = emulator.respond(optical_depths(skin, wavelengths.pigments));
     return absorbed_light(emulator.surface_share(), skin, wavelengths.pigments, parameters, [&](std::size_t i) {
         return LayerResponse{shares[i].share, emulator.certified_error(i), shares[i].by_optical_depth};
+    });
+}
+
+EscapedLight light_of_model(const RadiusEmulator& emulator, const Experiment& experiment, Side /*side*/,
+                            const ModelWavelengths& wavelengths, std::span<const Parameter> parameters) {
+    const Skin& skin = experiment.values.skin;
+    const std::vector<RadiusShare> shares =
+        emulator.respond(optical_depths(skin, wavelengths.pigments), skin.fibril_radius_nm);
+    return absorbed_light(emulator.surface_share(), skin, wavelengths.pigments, parameters, [&](std::size_t i) {
+        return LayerResponse{shares[i].share, emulator.certified_error(i), shares[i].by_optical_depth,
+                             shares[i].by_fibril_radius_nm};
     });
 }
 
@@ -107,6 +121,12 @@ EscapedLight light_of_model(const AngularSolver& solver, const Experiment& exper
 }
 
 }  // namespace
+
+std::optional<double> certified_error(const ForwardModel& model) {
+    if (const auto* const emulator = std::get_if<Emulator>(&model)) return emulator->certified_error();
+    if (const auto* const emulator = std::get_if<RadiusEmulator>(&model)) return emulator->certified_error();
+    return std::nullopt;
+}
 
 ModelWavelengths model_wavelengths(const Experiment& experiment, const std::vector<double>& wavelengths_nm) {
     std::vector<double> true_nm = true_wavelengths_nm(experiment, wavelengths_nm);

@@ -125,8 +125,8 @@ void describe_misfit(const Objective& objective, const Minimum& minimum, FitResu
     }
     result.median_sigma = median(sigmas);
     for (const MeasurementModel& model : objective.models()) {
-        if (const auto* const emulator = std::get_if<Emulator>(&model.forward_model())) {
-            result.emulator_error = std::max(result.emulator_error.value_or(0.0), emulator->certified_error());
+        if (const std::optional<double> certified = certified_error(model.forward_model())) {
+            result.emulator_error = std::max(result.emulator_error.value_or(0.0), *certified);
         } else if (std::holds_alternative<AngularSolver>(model.forward_model())) {
             result.solver_error = std::max(result.solver_error.value_or(0.0), solver_error(model, minimum.values));
         }

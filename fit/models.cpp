@@ -8,6 +8,15 @@
 
 namespace skinfit {
 
+namespace {
+
+ForwardModel emulator_of(const EmulatorDomain& domain, const DiskCache& cache, const std::stop_token& stop) {
+    if (!varies_fibril_radius(domain)) return cached_emulator(domain, cache, stop);
+    return RadiusEmulator(domain, [&](const EmulatorDomain& of_one) { return cached_emulator(of_one, cache, stop); });
+}
+
+}  // namespace
+
 std::vector<ForwardModel> make_models(const FitProblem& problem, Engine engine, const DiskCache& cache,
                                       const std::stop_token& stop) {
     std::vector<ForwardModel> models;
@@ -24,7 +33,7 @@ std::vector<ForwardModel> make_models(const FitProblem& problem, Engine engine, 
                 models.emplace_back(angular_solver(experiment));
                 break;
             case Engine::emulator:
-                models.emplace_back(cached_emulator(emulator_domain(problem, k), cache, stop));
+                models.push_back(emulator_of(emulator_domain(problem, k), cache, stop));
                 break;
             case Engine::walk:
                 throw std::logic_error("the analog walk is no model of a fit");
@@ -39,7 +48,7 @@ std::vector<ForwardModel> cheap_models(const FitProblem& problem, const std::vec
     for (std::size_t k = 0; k < models.size(); ++k) {
         if (const auto* const ensemble = std::get_if<PathEnsemble>(&models[k])) {
             cheap.emplace_back(ensemble->with_about(few_rays));
-        } else if (std::holds_alternative<Emulator>(models[k])) {
+        } else if (certified_error(models[k])) {
             cheap.push_back(models[k]);
         } else {
             cheap.emplace_back(

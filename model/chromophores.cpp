@@ -33,8 +33,19 @@ double blood_per_cm(const Skin& skin, const Extinction& extinction) {
            extinction.bilirubin * skin.bilirubin_g_per_l;
 }
 
+/// Of both melanins; 1 at 500 nm.
+double melanin_factor(const Skin& skin, const Extinction& extinction) {
+    return std::exp(-skin.melanin_slope * extinction.log_wavelength);
+}
+
 double melanosome_per_cm(const Skin& skin, const Extinction& extinction) {
-    return extinction.eumelanin * skin.eumelanin_g_per_l + extinction.pheomelanin * skin.pheomelanin_g_per_l;
+    return melanin_factor(skin, extinction) *
+           (extinction.eumelanin * skin.eumelanin_g_per_l + extinction.pheomelanin * skin.pheomelanin_g_per_l);
+}
+
+/// The dermis outside its blood.
+double dermis_ground_per_cm(const Skin& skin, const Extinction& extinction) {
+    return extinction.baseline_per_cm + extinction.bilirubin * skin.dermal_bilirubin_g_per_l;
 }
 
 double epidermis_ground_per_cm(const Skin& skin, const Extinction& extinction) {
@@ -51,13 +62,16 @@ PerLayer<double> absorption_derivative(const Skin& skin, const Extinction& extin
         case Parameter::melanosome_fraction:
             return epidermal(melanosome_per_cm(skin, extinction) - epidermis_ground_per_cm(skin, extinction));
         case Parameter::eumelanin_g_per_l:
-            return epidermal(extinction.eumelanin * skin.melanosome_fraction);
+            return epidermal(melanin_factor(skin, extinction) * extinction.eumelanin * skin.melanosome_fraction);
         case Parameter::pheomelanin_g_per_l:
-            return epidermal(extinction.pheomelanin * skin.melanosome_fraction);
+            return epidermal(melanin_factor(skin, extinction) * extinction.pheomelanin * skin.melanosome_fraction);
+        case Parameter::melanin_slope:
+            return epidermal(-extinction.log_wavelength * melanosome_per_cm(skin, extinction) *
+                             skin.melanosome_fraction);
         case Parameter::papillary_blood_fraction:
-            return {0, 0, blood_per_cm(skin, extinction) - extinction.baseline_per_cm, 0};
+            return {0, 0, blood_per_cm(skin, extinction) - dermis_ground_per_cm(skin, extinction), 0};
         case Parameter::reticular_blood_fraction:
-            return {0, 0, 0, blood_per_cm(skin, extinction) - extinction.baseline_per_cm};
+            return {0, 0, 0, blood_per_cm(skin, extinction) - dermis_ground_per_cm(skin, extinction)};
         case Parameter::oxygen_saturation:
             return in_blood(skin.hemoglobin_g_per_l * (extinction.oxyhemoglobin - extinction.deoxyhemoglobin));
         case Parameter::hemoglobin_g_per_l:
@@ -65,6 +79,11 @@ PerLayer<double> absorption_derivative(const Skin& skin, const Extinction& extin
                             extinction.deoxyhemoglobin * (1.0 - skin.oxygen_saturation));
         case Parameter::bilirubin_g_per_l:
             return in_blood(extinction.bilirubin);
+        case Parameter::dermal_bilirubin_g_per_l:
+            return {0, 0, extinction.bilirubin * (1.0 - skin.papillary_blood_fraction),
+                    extinction.bilirubin * (1.0 - skin.reticular_blood_fraction)};
+        case Parameter::lateral_loss_per_cm:
+            return {0, 0, 1, 1};
         case Parameter::stratum_corneum_carotene_g_per_l:
             return {extinction.carotene, 0, 0, 0};
         case Parameter::epidermis_carotene_g_per_l:
@@ -104,7 +123,8 @@ Extinction Extinction::at(double wavelength_nm, Edition edition) {
             .oxyhemoglobin = decadic * oxyhemoglobin(wavelength_nm) / hemoglobin_g_per_mol,
             .deoxyhemoglobin = decadic * deoxyhemoglobin(wavelength_nm) / hemoglobin_g_per_mol,
             .bilirubin = decadic * bilirubin(wavelength_nm) / bilirubin_g_per_mol,
-            .carotene = decadic * carotene(wavelength_nm) / carotene_g_per_mol};
+            .carotene = decadic * carotene(wavelength_nm) / carotene_g_per_mol,
+            .log_wavelength = std::log(wavelength_nm / 500.0)};
 }
 
 WavelengthRange modelled_wavelengths() {
@@ -122,12 +142,16 @@ WavelengthRange modelled_wavelengths() {
 PerLayer<double> absorption_per_cm(const Skin& skin, const Extinction& extinction) {
     const double baseline = extinction.baseline_per_cm;
     const double blood = blood_per_cm(skin, extinction);
+    const double ground = dermis_ground_per_cm(skin, extinction);
+    const auto dermal = [&](double blood_fraction) {  // [KA04, Eq. 10]
+        return blood * blood_fraction + ground * (1.0 - blood_fraction) + skin.lateral_loss_per_cm;
+    };
     return {
         baseline + extinction.carotene * skin.stratum_corneum_carotene_g_per_l,  // [KA04, Eq. 6]
         melanosome_per_cm(skin, extinction) * skin.melanosome_fraction +
-            epidermis_ground_per_cm(skin, extinction) * (1.0 - skin.melanosome_fraction),          // [KA04, Eqs. 7-9]
-        blood * skin.papillary_blood_fraction + baseline * (1.0 - skin.papillary_blood_fraction),  // [KA04, Eq. 10]
-        blood * skin.reticular_blood_fraction + baseline * (1.0 - skin.reticular_blood_fraction),  // [KA04, Eq. 10]
+            epidermis_ground_per_cm(skin, extinction) * (1.0 - skin.melanosome_fraction),  // [KA04, Eqs. 7-9]
+        dermal(skin.papillary_blood_fraction),
+        dermal(skin.reticular_blood_fraction),
     };
 }
 

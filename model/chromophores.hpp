@@ -17,6 +17,7 @@ struct Extinction {
     double deoxyhemoglobin;  ///< per cm per (g/L)
     double bilirubin;        ///< per cm per (g/L); zero above 700 nm, where it is not measured
     double carotene;         ///< per cm per (g/L); zero above 700 nm, where it is not measured
+    double log_wavelength;   ///< ln(wavelength / 500 nm), of the slope of the melanins
 
     /// Throws InputError outside the tables.
     [[nodiscard]] static Extinction at(double wavelength_nm, Edition edition);
@@ -29,7 +30,8 @@ struct WavelengthRange {
 };
 [[nodiscard]] WavelengthRange modelled_wavelengths();
 
-/// The absorption coefficient of each layer, per cm. [KA04, Eqs. 6-12]
+/// The absorption coefficient of each layer, per cm. [KA04, Eqs. 6-12], and what the paper does not have: the slope of
+/// the melanins, bilirubin outside the blood and the lateral loss, all of them without effect where they are 0.
 [[nodiscard]] PerLayer<double> absorption_per_cm(const Skin& skin, const Extinction& extinction);
 
 /// Absorption coefficient times thickness of each layer.

@@ -12,7 +12,7 @@ bool DepthBox::varies(std::size_t layer) const {
 }
 
 DepthBox depth_box(const EmulatorDomain& domain, const Extinction& extinction) {
-    // A depth is linear in each parameter by itself, so its extremes lie at corners of the ranges.
+    // A depth rises or falls with each parameter by itself, so its extremes lie at corners of the ranges.
     DepthBox box;
     box.lowest.fill(std::numeric_limits<double>::infinity());
     box.highest.fill(0.0);

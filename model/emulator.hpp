@@ -29,7 +29,8 @@ struct EmulatorDomain {
     std::vector<ParameterRange> ranges;  ///< of parameters that absorb without steering
 };
 
-/// Throws InputError where `parameter` steers: no emulator stands for a range of it.
+/// Throws InputError where `parameter` steers: no emulator stands for a range of it, but for that of the fibril radius,
+/// of which a `RadiusEmulator` does.
 void refuse_to_emulate(Parameter parameter);
 
 /// The share of the light that leaves, and how it answers to absorption.

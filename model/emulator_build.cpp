@@ -128,9 +128,17 @@ void certify(const Members& members, Grouped& grouped) {
     }
 }
 
+[[noreturn]] void refuse(const ParameterInfo& row) {
+    throw InputError({.where = fmt::format("free parameter {}", row.name),
+                      .problem = "cannot be adjusted by engine emulator",
+                      .why = "it changes where light goes, and an emulator stands for one geometry",
+                      .remedy = fmt::format("set engine=solver, or fix it (--fix {})", row.name)});
+}
+
 void check(const EmulatorDomain& domain) {
     for (const ParameterRange& range : domain.ranges) {
         assert(range.lower <= range.upper);
+        if (range.parameter == Parameter::fibril_radius_nm) refuse(info(range.parameter));
         refuse_to_emulate(range.parameter);
     }
 }
@@ -139,11 +147,7 @@ void check(const EmulatorDomain& domain) {
 
 void refuse_to_emulate(Parameter parameter) {
     const ParameterInfo& row = info(parameter);
-    if (!row.steers) return;
-    throw InputError({.where = fmt::format("free parameter {}", row.name),
-                      .problem = "cannot be adjusted by engine emulator",
-                      .why = "it changes where light goes, and an emulator stands for one geometry",
-                      .remedy = fmt::format("set engine=solver, or fix it (--fix {})", row.name)});
+    if (row.steers && parameter != Parameter::fibril_radius_nm) refuse(row);
 }
 
 Emulator Emulator::build(const EmulatorDomain& domain, const std::stop_token& stop) {

@@ -29,14 +29,17 @@ enum class Parameter : std::size_t {
     melanosome_fraction,
     eumelanin_g_per_l,
     pheomelanin_g_per_l,
+    melanin_slope,
     papillary_blood_fraction,
     reticular_blood_fraction,
     oxygen_saturation,
     hemoglobin_g_per_l,
     bilirubin_g_per_l,
+    dermal_bilirubin_g_per_l,
     stratum_corneum_carotene_g_per_l,
     epidermis_carotene_g_per_l,
     dermis_carotene_g_per_l,
+    lateral_loss_per_cm,
     stratum_corneum_thickness_cm,
     epidermis_thickness_cm,
     papillary_dermis_thickness_cm,
@@ -53,7 +56,7 @@ enum class Parameter : std::size_t {
     specular_fraction,
     wavelength_shift_nm,
 };
-inline constexpr std::size_t parameter_count = 26;
+inline constexpr std::size_t parameter_count = 29;
 
 /// One row of the vocabulary: the one place that knows a parameter's name, unit and ranges.
 struct ParameterInfo {

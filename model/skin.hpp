@@ -29,19 +29,23 @@ enum class Edition {
 };
 inline constexpr std::array<std::string_view, 2> edition_names = {"printed", "revised"};
 
-/// The biology and optics of one skin specimen. Defaults: [KA04, Table 1]. Ranges: `parameter_table()`.
+/// The biology and optics of one skin specimen. Defaults: [KA04, Table 1], and 0 for what the
+/// paper does not have. Ranges: `parameter_table()`.
 struct Skin {
     double melanosome_fraction = 0.052;        ///< volume fraction of the epidermis
     double eumelanin_g_per_l = 80;             ///< in a melanosome
     double pheomelanin_g_per_l = 12;           ///< in a melanosome
+    double melanin_slope = 0;                  ///< both melanins times (wavelength / 500 nm)^-slope
     double papillary_blood_fraction = 0.012;   ///< volume fraction of the papillary dermis
     double reticular_blood_fraction = 0.0091;  ///< volume fraction of the reticular dermis
     double oxygen_saturation = 0.75;           ///< oxyhemoglobin share of the hemoglobin
     double hemoglobin_g_per_l = 150;           ///< in whole blood
     double bilirubin_g_per_l = 0.05;           ///< in whole blood
+    double dermal_bilirubin_g_per_l = 0;       ///< in the dermis outside its blood
     double stratum_corneum_carotene_g_per_l = 2.1e-4;
     double epidermis_carotene_g_per_l = 2.1e-4;
     double dermis_carotene_g_per_l = 7.0e-5;  ///< in the blood of the dermis
+    double lateral_loss_per_cm = 0;           ///< grey absorber of the dermis, for light that leaves beside the port
     double stratum_corneum_thickness_cm = 0.001;
     double epidermis_thickness_cm = 0.01;
     double papillary_dermis_thickness_cm = 0.02;

@@ -56,6 +56,13 @@ std::optional<double> improbable_chi2(const FitProblem& problem) {
 }
 
 BulkFitter fitter_of(const FitProblem& problem, const DiskCache& cache) {
+    for (const FreeParameter& free : problem.free) {
+        if (!info(free.parameter).steers) continue;
+        throw InputError({.where = fmt::format("free parameter {}", info(free.parameter).name),
+                          .problem = "cannot be adjusted in images",
+                          .why = "their fits use the emulator of one geometry",
+                          .remedy = fmt::format("fix it (\"free\": [\"-{}\"])", info(free.parameter).name)});
+    }
     const std::vector<ForwardModel> models = make_models(problem, Engine::emulator, cache);
     return {problem, std::get<Emulator>(models.front()), pixel_options};
 }
