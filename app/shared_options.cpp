@@ -14,6 +14,7 @@
 #include "app/terminal.hpp"
 #include "core/file.hpp"
 #include "core/input_error.hpp"
+#include "core/text.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/settings.hpp"
 #include "measurements/spectrum_file.hpp"
@@ -101,12 +102,25 @@ void add_reader_option(CLI::App& command, std::string& reader) {
 }
 
 Configuration configuration_from(const SharedOptions& options, const Configuration& defaults) {
+    const auto is_preset = [](const std::string& assignment) {
+        return trimmed(assignment.substr(0, assignment.find('='))) == "preset";
+    };
     Configuration configuration = defaults;
+    for (const std::string& assignment : options.set) {  // all else stands on it
+        if (is_preset(assignment)) configuration = configured_by_assignment(configuration, assignment);
+    }
+    const Preset stated = configuration.preset;
     if (!options.config.empty()) {
         configuration = configured_by_text(configuration, read_input(options.config), options.config);
     }
+    if (configuration.preset != stated && std::ranges::any_of(options.set, is_preset)) {
+        throw InputError({.where = options.config,
+                          .problem = "states another preset than --set does",
+                          .why = "its other settings are meant for its own",
+                          .remedy = "leave one of the two out"});
+    }
     for (const std::string& assignment : options.set) {
-        configuration = configured_by_assignment(configuration, assignment);
+        if (!is_preset(assignment)) configuration = configured_by_assignment(configuration, assignment);
     }
     return configuration;
 }

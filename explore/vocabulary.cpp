@@ -21,6 +21,7 @@ std::string_view group_of(Parameter parameter) {
         case Parameter::melanosome_fraction:
         case Parameter::eumelanin_g_per_l:
         case Parameter::pheomelanin_g_per_l:
+        case Parameter::melanin_slope:
         case Parameter::stratum_corneum_carotene_g_per_l:
         case Parameter::epidermis_carotene_g_per_l:
             return "epidermis";
@@ -28,9 +29,11 @@ std::string_view group_of(Parameter parameter) {
         case Parameter::reticular_blood_fraction:
         case Parameter::oxygen_saturation:
         case Parameter::hemoglobin_g_per_l:
+        case Parameter::whole_blood_share:
         case Parameter::bilirubin_g_per_l:
         case Parameter::dermis_carotene_g_per_l:
             return "blood";
+        case Parameter::dermal_bilirubin_g_per_l:
         case Parameter::fibre_refractive_index:
         case Parameter::fibril_radius_nm:
             return "dermis";
@@ -44,6 +47,7 @@ std::string_view group_of(Parameter parameter) {
         case Parameter::reticular_dermis_refractive_index:
         case Parameter::fold_aspect_ratio:
             return "geometry";
+        case Parameter::lateral_loss_per_cm:
         case Parameter::scale:
         case Parameter::offset:
         case Parameter::specular_fraction:

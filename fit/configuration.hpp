@@ -49,6 +49,13 @@ inline constexpr std::size_t uncertainty_method_count = 3;
 inline constexpr std::array<std::string_view, uncertainty_method_count> uncertainty_names = {"covariance", "profile",
                                                                                              "posterior"};
 
+/// Where values, priors, noise and the choice of what is adjusted come from, unless stated.
+enum class Preset {
+    paper,  ///< [KA04, Table 1]
+    skin,   ///< chosen for measured skin: fit/presets/skin.json
+};
+inline constexpr std::array<std::string_view, 2> preset_names = {"paper", "skin"};
+
 /// Limits of a free parameter, or of a range.
 struct Bounds {
     double lower;
@@ -98,6 +105,7 @@ struct Weight {
 
 /// What a fit does with a spectrum, however it was measured. Nothing of it depends on the spectrum.
 struct FitSettings {
+    Preset preset = Preset::paper;      ///< by which the rest began
     std::optional<std::string> column;  ///< of the measured file; unset: its only spectrum
     std::optional<Unit> unit;           ///< of the measured file; unset: found by `find_unit`
     Engine engine = Engine::paths;

@@ -116,8 +116,13 @@ Configuration configured(Configuration configuration, const Json& json, const st
     }
     std::vector<std::string_view> known = {"free", "own", "parameters"};
     for (const Setting& setting : setting_table()) known.push_back(setting.name);
+    if (json.contains("preset")) {  // all else stands on it
+        std::ranges::find(setting_table(), "preset", &Setting::name)
+            ->read(configuration, json["preset"], where + ": preset");
+    }
     for (const auto& [key, value] : json.items()) {
         const std::string here = fmt::format("{}: {}", where, key);
+        if (key == "preset") continue;
         const auto setting = std::ranges::find(setting_table(), key, &Setting::name);
         if (setting != setting_table().end()) {
             setting->read(configuration, value, here);

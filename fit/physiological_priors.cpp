@@ -7,9 +7,11 @@ namespace skinfit {
 namespace {
 
 // A range from a to b gives median sqrt(a b) and sigma_log log(b / a) / 2.
-const std::array<PhysiologicalPrior, 13> priors = {{
+const std::array<PhysiologicalPrior, 16> priors = {{
     {Parameter::melanosome_fraction, LogNormalPrior{.median = 0.0748, .sigma_log = 1.75},
      "[KA04]: 0.013 in light to 0.43 in dark skin", Bounds{0.013, 0.43}},
+    {Parameter::melanin_slope, NormalPrior{.mean = 0.6, .sigma = 0.6},
+     "skinfit: contact spheres ask for about 1.2, 45/0 for 0 to 0.4"},
     {Parameter::papillary_blood_fraction, LogNormalPrior{.median = 0.0118, .sigma_log = 1.78}, "[KA04]: 0.002 to 0.07",
      Bounds{0.002, 0.07}},
     {Parameter::reticular_blood_fraction, LogNormalPrior{.median = 0.0118, .sigma_log = 1.78}, "[KA04]: 0.002 to 0.07",
@@ -20,6 +22,10 @@ const std::array<PhysiologicalPrior, 13> priors = {{
      "[KA04, Table 1]: 134 to 173, a clinical reference range, which holds 95 %", Bounds{134, 173}},
     {Parameter::bilirubin_g_per_l, LogNormalPrior{.median = 0.05, .sigma_log = 1.5},
      "[KA04, Table 1]: 0.05; width: skinfit, so that jaundice of 1 g/L lies two standard deviations above"},
+    {Parameter::dermal_bilirubin_g_per_l, LogNormalPrior{.median = 0.01, .sigma_log = 1.5},
+     "skinfit: that of healthy serum, 1 mg/dL; width: as in blood"},
+    {Parameter::lateral_loss_per_cm, LogNormalPrior{.median = 0.11, .sigma_log = 1.3},
+     "skinfit: readings of spheres ask for 0.03, through 3 mm for 0.4"},
     {Parameter::stratum_corneum_thickness_cm, LogNormalPrior{.median = 0.00141, .sigma_log = 0.347},
      "[KA04, Sec. 2.1]: 0.001 to 0.002", Bounds{0.001, 0.002}},
     {Parameter::epidermis_thickness_cm, LogNormalPrior{.median = 0.00636, .sigma_log = 0.857},

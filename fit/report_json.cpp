@@ -2,6 +2,7 @@
 #include "fit/configuration_json.hpp"
 #include "fit/inspection.hpp"
 #include "fit/report.hpp"
+#include "fit/tissue.hpp"
 
 namespace skinfit {
 namespace {
@@ -88,6 +89,18 @@ Json origin_json(const FittedSpectrum& spectrum) {
             {"sigma_source", spectrum.sigma_source}};
 }
 
+Json tissue_json(const FitResult& result) {
+    Json json = Json::array();
+    for (const TissueEstimate& each : tissue_estimates(result)) {
+        json.push_back(
+            {{"name", each.quantity->name},
+             {"value", each.value},
+             {"unit", each.quantity->unit},
+             {"interval_95", each.interval_95 ? Json{each.interval_95->lower, each.interval_95->upper} : Json()}});
+    }
+    return json;
+}
+
 Json readings_json(const FittedSpectrum& spectrum) {
     Json residual = Json::array();
     for (std::size_t i = 0; i < spectrum.measured.size(); ++i) {
@@ -134,6 +147,7 @@ Json json_report(const FitResult& result) {
                  {"emulator_error", or_null(result.emulator_error)},
                  {"solver_error", or_null(result.solver_error)},
                  {"parameters", parameters_json(result)},
+                 {"tissue", tissue_json(result)},
                  {"correlation", correlation_json(result)},
                  {"uncertainty", uncertainty_json(result)},
                  {"solution", answer_json(result, result.answer, solver_name(result.answer.solver))}};

@@ -9,6 +9,7 @@
 #include "fit/measurement.hpp"
 #include "fit/parameter_words.hpp"
 #include "fit/report.hpp"
+#include "fit/tissue.hpp"
 
 namespace skinfit {
 namespace {
@@ -25,6 +26,20 @@ std::string parameter_table_text(const FitResult& result) {
                                    "+/- 1 sigma", "Monte Carlo", "95 % interval", "unit");
     for (const FittedParameter& fitted : result.free) text += parameter_row(fitted);
     return text;
+}
+
+/// What does not depend on how the model divides the skin.
+std::string tissue_text(const FitResult& result) {
+    const std::vector<TissueEstimate> estimates = tissue_estimates(result);
+    if (estimates.empty()) return "";
+    std::string text = fmt::format("  {:<33} {:>12}   {:<22}{}\n", "in the tissue", "value", "95 % interval", "unit");
+    for (const TissueEstimate& each : estimates) {
+        const std::string interval =
+            each.interval_95 ? fmt::format("{:.3g} to {:.3g}", each.interval_95->lower, each.interval_95->upper) : "-";
+        text += fmt::format("  {:<33} {:>12.3g}   {:<22}{}\n", each.quantity->name, each.value, interval,
+                            each.quantity->unit.empty() ? "-" : each.quantity->unit);
+    }
+    return text + "\n";
 }
 
 std::string fixed_text(const FitResult& result) {
@@ -111,9 +126,9 @@ std::string model_text(const FitResult& result) {
     const bool draws_rays = configuration.engine == Engine::paths || configuration.engine == Engine::walk;
     const std::string rays = draws_rays ? fmt::format(", {} rays", setting_word(json, "rays")) : "";
     std::string text =
-        fmt::format("model: edition {}, engine {}{}, seed {}; {} layers on base {}\n", setting_word(json, "edition"),
-                    setting_word(json, "engine"), rays, setting_word(json, "seed"), setting_word(json, "layers"),
-                    setting_word(json, "base"));
+        fmt::format("model: preset {}, edition {}, engine {}{}, seed {}; {} layers on base {}\n",
+                    setting_word(json, "preset"), setting_word(json, "edition"), setting_word(json, "engine"), rays,
+                    setting_word(json, "seed"), setting_word(json, "layers"), setting_word(json, "base"));
     if (result.spectra.size() == 1) text += fmt::format("instrument: {}\n", instrument_words(configuration));
     return text + fmt::format("skinfit {}, research software, not a medical device\n", version);
 }
@@ -227,7 +242,7 @@ std::string text_report(const FitResult& result) {
     for (const std::string& reason : result.reasons) text += fmt::format("  - {}\n", reason);
     if (const std::string words = prior_words(result); !words.empty()) text += fmt::format("  {}\n", words);
     if (!result.findings.empty()) text += findings_text(result.findings, result.spectra.size());
-    text += fmt::format("\n{}\n", parameter_table_text(result));
+    text += fmt::format("\n{}\n{}", parameter_table_text(result), tissue_text(result));
     text += fmt::format("misfit: rmse {:.5f}, chi2 {:.2f} for {:.3g} degrees of freedom{}\n", result.rmse, result.chi2,
                         result.degrees_of_freedom, result.p_value ? fmt::format(" (p = {:.2g})", *result.p_value) : "");
     text += cost_text(result) + spectra_text(result);

@@ -11,6 +11,7 @@
 #include "core/nearest_names.hpp"
 #include "core/text.hpp"
 #include "fit/instrument_settings.hpp"
+#include "fit/preset.hpp"
 #include "fit/problem_settings.hpp"
 #include "fit/wavelength_sets.hpp"
 
@@ -190,6 +191,7 @@ std::vector<Setting> general_settings() {
     constexpr std::uint64_t most_rays = 10'000'000'000;
     constexpr std::uint64_t largest_seed = 9'007'199'254'740'991;  // 2^53 - 1: exact in any JSON reader
     return {
+        preset_setting(),
         edition(),
         named(
             "engine",

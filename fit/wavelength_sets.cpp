@@ -37,7 +37,7 @@ std::vector<double> parse_wavelengths(std::string_view text, const std::string& 
         if (std::ranges::adjacent_find(numbers, std::greater_equal<>{}) != numbers.end()) {
             throw malformed("a list must ascend");
         }
-        if (numbers.size() > most_wavelengths) throw too_many(numbers.size());
+        if (numbers.size() > most_wavelengths) throw too_many(static_cast<double>(numbers.size()));
         return numbers;
     }
     if (numbers.size() != 3) throw malformed("three numbers are needed between the colons");

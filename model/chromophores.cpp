@@ -14,6 +14,8 @@ namespace {
 
 // [KA04, Eqs. 6-12]
 constexpr double hemoglobin_g_per_mol = 66500;
+/// At a hematocrit of 45 %. [BOSSCHAART14]
+constexpr double hemoglobin_of_whole_blood_g_per_l = 150;
 constexpr double bilirubin_g_per_mol = 585;
 constexpr double carotene_g_per_mol = 537;
 
@@ -22,10 +24,22 @@ double baseline_per_cm(double wavelength_nm) {
     return 0.244 + 85.3 * std::exp(-(wavelength_nm - 154.0) / 66.2);
 }
 
+double oxyhemoglobin(const Skin& skin, const Extinction& extinction) {
+    return std::lerp(extinction.oxyhemoglobin, extinction.oxygenated_blood, skin.whole_blood_share);
+}
+
+double deoxyhemoglobin(const Skin& skin, const Extinction& extinction) {
+    return std::lerp(extinction.deoxyhemoglobin, extinction.deoxygenated_blood, skin.whole_blood_share);
+}
+
+/// Of 1 g/L. [KA04, Eqs. 11, 12]
+double hemoglobin_mixture(const Skin& skin, const Extinction& extinction) {
+    return oxyhemoglobin(skin, extinction) * skin.oxygen_saturation +
+           deoxyhemoglobin(skin, extinction) * (1.0 - skin.oxygen_saturation);
+}
+
 double hemoglobin_per_cm(const Skin& skin, const Extinction& extinction) {
-    // [KA04, Eqs. 11, 12]
-    return skin.hemoglobin_g_per_l * (extinction.oxyhemoglobin * skin.oxygen_saturation +
-                                      extinction.deoxyhemoglobin * (1.0 - skin.oxygen_saturation));
+    return skin.hemoglobin_g_per_l * hemoglobin_mixture(skin, extinction);
 }
 
 double blood_per_cm(const Skin& skin, const Extinction& extinction) {
@@ -73,10 +87,15 @@ PerLayer<double> absorption_derivative(const Skin& skin, const Extinction& extin
         case Parameter::reticular_blood_fraction:
             return {0, 0, 0, blood_per_cm(skin, extinction) - dermis_ground_per_cm(skin, extinction)};
         case Parameter::oxygen_saturation:
-            return in_blood(skin.hemoglobin_g_per_l * (extinction.oxyhemoglobin - extinction.deoxyhemoglobin));
+            return in_blood(skin.hemoglobin_g_per_l *
+                            (oxyhemoglobin(skin, extinction) - deoxyhemoglobin(skin, extinction)));
         case Parameter::hemoglobin_g_per_l:
-            return in_blood(extinction.oxyhemoglobin * skin.oxygen_saturation +
-                            extinction.deoxyhemoglobin * (1.0 - skin.oxygen_saturation));
+            return in_blood(hemoglobin_mixture(skin, extinction));
+        case Parameter::whole_blood_share:
+            return in_blood(
+                skin.hemoglobin_g_per_l *
+                ((extinction.oxygenated_blood - extinction.oxyhemoglobin) * skin.oxygen_saturation +
+                 (extinction.deoxygenated_blood - extinction.deoxyhemoglobin) * (1.0 - skin.oxygen_saturation)));
         case Parameter::bilirubin_g_per_l:
             return in_blood(extinction.bilirubin);
         case Parameter::dermal_bilirubin_g_per_l:
@@ -114,14 +133,20 @@ Extinction Extinction::at(double wavelength_nm, Edition edition) {
     static const Curve pheomelanin(embedded_table("pheomelanin"), "pheomelanin");
     static const Curve oxyhemoglobin(embedded_table("hemoglobin"), "oxyhemoglobin");
     static const Curve deoxyhemoglobin(embedded_table("hemoglobin"), "deoxyhemoglobin");
+    static const Curve oxygenated(embedded_table("whole_blood"), "oxygenated");
+    static const Curve deoxygenated(embedded_table("whole_blood"), "deoxygenated");
     static const Curve bilirubin(embedded_table("bilirubin"), "bilirubin");
     static const Curve carotene(embedded_table("beta_carotene"), "beta_carotene");
     const double decadic = edition == Edition::revised ? std::numbers::ln10 : 1.0;
+    // 10 mm in a cm; in the reading that the edition has of the hemoglobin of the paper.
+    const double blood = 10.0 / hemoglobin_of_whole_blood_g_per_l * decadic / std::numbers::ln10;
     return {.baseline_per_cm = skinfit::baseline_per_cm(wavelength_nm),
             .eumelanin = eumelanin(wavelength_nm),
             .pheomelanin = pheomelanin(wavelength_nm),
             .oxyhemoglobin = decadic * oxyhemoglobin(wavelength_nm) / hemoglobin_g_per_mol,
             .deoxyhemoglobin = decadic * deoxyhemoglobin(wavelength_nm) / hemoglobin_g_per_mol,
+            .oxygenated_blood = blood * oxygenated(wavelength_nm),
+            .deoxygenated_blood = blood * deoxygenated(wavelength_nm),
             .bilirubin = decadic * bilirubin(wavelength_nm) / bilirubin_g_per_mol,
             .carotene = decadic * carotene(wavelength_nm) / carotene_g_per_mol,
             .log_wavelength = std::log(wavelength_nm / 500.0)};

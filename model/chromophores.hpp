@@ -10,14 +10,16 @@ namespace skinfit {
 /// How strongly each pigment absorbs at one wavelength, in the edition's reading: molar extinctions are decadic, which
 /// `printed` uses as they are and `revised` multiplies by ln 10.
 struct Extinction {
-    double baseline_per_cm;  ///< skin without pigments, [JACQUES98]
-    double eumelanin;        ///< per cm per (g/L)
-    double pheomelanin;      ///< per cm per (g/L)
-    double oxyhemoglobin;    ///< per cm per (g/L)
-    double deoxyhemoglobin;  ///< per cm per (g/L)
-    double bilirubin;        ///< per cm per (g/L); zero above 700 nm, where it is not measured
-    double carotene;         ///< per cm per (g/L); zero above 700 nm, where it is not measured
-    double log_wavelength;   ///< ln(wavelength / 500 nm), of the slope of the melanins
+    double baseline_per_cm;     ///< skin without pigments, [JACQUES98]
+    double eumelanin;           ///< per cm per (g/L)
+    double pheomelanin;         ///< per cm per (g/L)
+    double oxyhemoglobin;       ///< per cm per (g/L)
+    double deoxyhemoglobin;     ///< per cm per (g/L)
+    double oxygenated_blood;    ///< the same of hemoglobin in whole blood, per cm per (g/L)
+    double deoxygenated_blood;  ///< the same
+    double bilirubin;           ///< per cm per (g/L); zero above 700 nm, where it is not measured
+    double carotene;            ///< per cm per (g/L); zero above 700 nm, where it is not measured
+    double log_wavelength;      ///< ln(wavelength / 500 nm), of the slope of the melanins
 
     /// Throws InputError outside the tables.
     [[nodiscard]] static Extinction at(double wavelength_nm, Edition edition);

@@ -29,6 +29,9 @@ struct EmulatorDomain {
     std::vector<ParameterRange> ranges;  ///< of parameters that absorb without steering
 };
 
+/// Whether an emulator can stand for a range of `parameter`: of all that steers, for that of the fibril radius alone.
+[[nodiscard]] bool can_be_emulated(Parameter parameter);
+
 /// Throws InputError where `parameter` steers: no emulator stands for a range of it, but for that of the fibril radius,
 /// of which a `RadiusEmulator` does.
 void refuse_to_emulate(Parameter parameter);

@@ -145,9 +145,12 @@ void check(const EmulatorDomain& domain) {
 
 }  // namespace
 
+bool can_be_emulated(Parameter parameter) {
+    return !info(parameter).steers || parameter == Parameter::fibril_radius_nm;
+}
+
 void refuse_to_emulate(Parameter parameter) {
-    const ParameterInfo& row = info(parameter);
-    if (row.steers && parameter != Parameter::fibril_radius_nm) refuse(row);
+    if (!can_be_emulated(parameter)) refuse(info(parameter));
 }
 
 Emulator Emulator::build(const EmulatorDomain& domain, const std::stop_token& stop) {

@@ -65,9 +65,9 @@ int node_count(const AngularComposition& composition, const DepthBox& box, std::
 /// drawn to either bound, so that faces, edges and corners are met; every other specimen is crowded at the lower
 /// bounds, where the share bends most.
 DepthVector specimens(const EmulatorDomain& domain, const Extinction& extinction, int first, int count) {
-    constexpr std::array<double, parameter_count> primes = {2,  3,  5,  7,  11, 13,  17,  19,  23, 29,
-                                                            31, 37, 41, 43, 47, 53,  59,  61,  67, 71,
-                                                            73, 79, 83, 89, 97, 101, 103, 107, 109};
+    constexpr std::array<double, parameter_count> primes = {2,  3,  5,  7,  11, 13,  17,  19,  23,  29,
+                                                            31, 37, 41, 43, 47, 53,  59,  61,  67,  71,
+                                                            73, 79, 83, 89, 97, 101, 103, 107, 109, 113};
     DepthVector depths;
     for (int number = first; number < first + count; ++number) {
         ParameterValues values{.skin = domain.sample.skin, .instrument = {}};

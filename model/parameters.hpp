@@ -34,6 +34,7 @@ enum class Parameter : std::size_t {
     reticular_blood_fraction,
     oxygen_saturation,
     hemoglobin_g_per_l,
+    whole_blood_share,
     bilirubin_g_per_l,
     dermal_bilirubin_g_per_l,
     stratum_corneum_carotene_g_per_l,
@@ -56,7 +57,7 @@ enum class Parameter : std::size_t {
     specular_fraction,
     wavelength_shift_nm,
 };
-inline constexpr std::size_t parameter_count = 29;
+inline constexpr std::size_t parameter_count = 30;
 
 /// One row of the vocabulary: the one place that knows a parameter's name, unit and ranges.
 struct ParameterInfo {

@@ -30,7 +30,7 @@ public:
     [[nodiscard]] double surface_share() const { return emulators_.front().surface_share(); }
     [[nodiscard]] std::size_t wavelength_count() const { return emulators_.front().wavelength_count(); }
 
-    /// The largest certified error of its emulators, and the last two terms of the polynomial, where they are largest
+    /// The largest certified error of its emulators, and the last term of the polynomial, where it is largest
     /// among 256 specimens of the domain: a share of the incident light; an observation, no proven bound.
     [[nodiscard]] double certified_error(std::size_t wavelength) const { return certified_error_[wavelength]; }
     /// The largest over all wavelengths.

@@ -40,6 +40,7 @@ struct Skin {
     double reticular_blood_fraction = 0.0091;  ///< volume fraction of the reticular dermis
     double oxygen_saturation = 0.75;           ///< oxyhemoglobin share of the hemoglobin
     double hemoglobin_g_per_l = 150;           ///< in whole blood
+    double whole_blood_share = 0;              ///< of the hemoglobin's spectra, of whole blood in place of solutions
     double bilirubin_g_per_l = 0.05;           ///< in whole blood
     double dermal_bilirubin_g_per_l = 0;       ///< in the dermis outside its blood
     double stratum_corneum_carotene_g_per_l = 2.1e-4;

@@ -11,7 +11,7 @@ namespace skinfit {
 namespace {
 
 // Pixels.
-constexpr int width = 900;
+constexpr int picture_width = 900;
 constexpr int row_height = 62;
 constexpr int range_legend_height = 34;
 constexpr int name_margin = 330;
@@ -69,7 +69,7 @@ std::string row_script(const FittedParameter& fitted, std::size_t number, int he
         "set bmargin at screen {}\nset label {} at screen {},screen {} right\n",
         axis.is_logarithmic ? "set logscale x\n" + logarithmic_tics(axis.range) : "set xtics autofreq\n",
         axis.range.lower, axis.range.upper, top_share, bottom_share, gnuplot_string(fitted.name),
-        (name_margin - 14.0) / width, 0.5 * (top_share + bottom_share));
+        (name_margin - 14.0) / picture_width, 0.5 * (top_share + bottom_share));
     if (healthy) {
         script += fmt::format(
             "set object rectangle from first {},graph 0 to first {},graph 1 behind fillcolor rgb '#c7e3cf' fillstyle "
@@ -89,7 +89,7 @@ std::string row_script(const FittedParameter& fitted, std::size_t number, int he
 /// What the colours mean, above the rows.
 std::string legend_script(int height) {
     const double y = 1.0 - 0.5 * range_legend_height / height;
-    const auto x = [](double pixels) { return (name_margin + pixels) / width; };
+    const auto x = [](double pixels) { return (name_margin + pixels) / picture_width; };
     return fmt::format(
         "set label 1 '' at screen {0},screen {3} point pointtype 7 pointsize 0.9 linecolor rgb '#08306b'\n"
         "set label 4 'value' at screen {10},screen {3} left\n"
@@ -105,9 +105,10 @@ std::string legend_script(int height) {
 std::string interval_picture(const std::vector<FittedParameter>& free) {
     const int height = range_legend_height + static_cast<int>(free.size()) * row_height + below;
     std::string script =
-        "set encoding utf8\n" + gnuplot_terminal("intervals.svg", {.width = width, .height = height}) +
-        fmt::format("set lmargin at screen {}\nset rmargin at screen {}\n", static_cast<double>(name_margin) / width,
-                    1.0 - static_cast<double>(right_margin) / width) +
+        "set encoding utf8\n" + gnuplot_terminal("intervals.svg", {.width = picture_width, .height = height}) +
+        fmt::format("set lmargin at screen {}\nset rmargin at screen {}\n",
+                    static_cast<double>(name_margin) / picture_width,
+                    1.0 - static_cast<double>(right_margin) / picture_width) +
         "set yrange [0:1]\nunset ytics\nset border 1 linecolor rgb '#808080'\n"
         "set xtics nomirror out scale 0.6 offset 0,0.4 format '%g' font 'sans,12' textcolor rgb '#404040'\nset "
         "multiplot\n" +

@@ -10,6 +10,7 @@
 #include "fit/json_reading.hpp"
 #include "fit/measurement.hpp"
 #include "fit/prior_json.hpp"
+#include "model/emulator.hpp"
 #include "study/manifest.hpp"
 
 namespace skinfit {
@@ -107,7 +108,7 @@ Configuration planned_fit(const Cohort& cohort) {
     for (const Parameter parameter : varying_parameters(cohort)) {
         const auto place = static_cast<std::size_t>(parameter);
         fit.free[place] = true;
-        if (info(parameter).steers) fit.engine = Engine::solver;
+        if (!can_be_emulated(parameter)) fit.engine = Engine::solver;
         if (is_drawn_alike(cohort, place)) {
             fit.priors[place] = first.priors[place];
             continue;

@@ -100,8 +100,29 @@ TEST(EmulatorEngine, FitsAsTheSolverDoes) {
     }
 }
 
+/// But the radius of the fibrils, which steers too: the answer is the solver's.
+TEST(EmulatorEngine, AdjustsTheFibrilRadius) {
+    Configuration configuration =
+        emulator_configuration({Parameter::melanosome_fraction, Parameter::papillary_blood_fraction,
+                                Parameter::reticular_blood_fraction, Parameter::fibril_radius_nm});
+    configuration.bounds[static_cast<std::size_t>(Parameter::fibril_radius_nm)] = {15, 40};
+    Configuration truth = configuration;
+    truth.values.skin.fibril_radius_nm = 21;
+    const Spectrum spectrum = noisy_spectrum(truth, 0.001, 1);
+    configuration.noise = 0.001;
+    const FitResult emulated = fit_spectrum(configuration, spectrum, {.cache = no_cache()});
+    EXPECT_LE(emulated.emulator_error.value(), 0.0005);
+    configuration.engine = Engine::solver;
+    const FitResult solved = fit_spectrum(configuration, spectrum, {.cache = no_cache()});
+    EXPECT_LE(largest_difference_in_sigmas(emulated, solved.answer.minimum).value_or(0.0), 0.1);
+    const FittedParameter& radius = emulated.free.back();
+    ASSERT_EQ(radius.parameter, Parameter::fibril_radius_nm);
+    constexpr double sigmas = 4.9;  // a millionth of the normal law lies beyond
+    EXPECT_NEAR(radius.value, 21, sigmas * radius.uncertainty.sigma.value());
+}
+
 TEST(EmulatorEngine, RefusesParametersThatSteer) {
-    const Configuration configuration = emulator_configuration({Parameter::fibril_radius_nm});
+    const Configuration configuration = emulator_configuration({Parameter::epidermis_refractive_index});
     try {
         (void)make_problem(configuration, noisy_spectrum(configuration, 0.0, 1));
         FAIL();

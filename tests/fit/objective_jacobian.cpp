@@ -35,6 +35,11 @@ Configuration configuration_of(const Case& c) {
     configuration.values.instrument = {.scale = 1.1, .offset = 0.01, .specular_fraction = 0.3};
     configuration.values.skin.stratum_corneum_thickness_cm = 0.0015;
     configuration.values.skin.bilirubin_g_per_l = 0.5;
+    configuration.values.skin.melanin_slope = 0.4;
+    configuration.values.skin.whole_blood_share = 0.3;
+    configuration.values.skin.dermal_bilirubin_g_per_l = 0.1;
+    configuration.values.skin.lateral_loss_per_cm = 0.2;
+    configuration.values.skin.dermis_carotene_g_per_l = 7e-4;  // so that its steps are above rounding
     return configuration;
 }
 
@@ -65,7 +70,7 @@ Differences differences(const Task& task, const std::vector<double>& values, std
 
 void expect_exact(const Case& c) {
     const Configuration configuration = configuration_of(c);
-    const std::vector<double> wavelengths_nm = grid_nm(400, 700, 20);
+    const std::vector<double> wavelengths_nm = grid_nm(400, 700, 15);
     const Task task(configuration, modelled_spectrum(configuration, wavelengths_nm));
     std::vector<double> values;
     for (const FreeParameter& free : task.problem.free) values.push_back(free.start);

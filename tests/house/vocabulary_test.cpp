@@ -201,7 +201,8 @@ TEST(Vocabulary, IsInOrderAndDefinesNothingTwice) {
 }
 
 TEST(Vocabulary, SaysUnitsInNames) {
-    constexpr std::array<std::string_view, 8> units = {"nm", "mm", "cm", "deg", "s", "per_sr", "g_per_l", "per_cm"};
+    constexpr std::array<std::string_view, 10> units = {"nm",     "mm",      "cm",     "deg",        "s",
+                                                        "per_sr", "g_per_l", "per_cm", "umol_per_l", "mg_per_dl"};
     for (const Word& word : vocabulary()) {
         const auto ends_in = [&](std::string_view unit) { return word.name.ends_with("_" + std::string(unit)); };
         EXPECT_TRUE(word.unit.empty() || ends_in(word.unit)) << word.name << " is in " << word.unit;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/input_error.hpp"
+#include "model/table.hpp"
 
 namespace skinfit {
 namespace {
@@ -109,6 +110,27 @@ TEST(Chromophores, WhatThePaperLacksEntersAsItSays) {
     EXPECT_EQ(more[1], plain[1]);
     EXPECT_DOUBLE_EQ(more[2], plain[2] + 0.2 * extinction.bilirubin * (1 - skin.papillary_blood_fraction) + 0.4);
     EXPECT_DOUBLE_EQ(more[3], plain[3] + 0.2 * extinction.bilirubin * (1 - skin.reticular_blood_fraction) + 0.4);
+}
+
+/// 150 g/L of hemoglobin in blood of 45 % hematocrit absorb what the table says of it, in the reading of each edition.
+TEST(Chromophores, WholeBloodIsThatOfItsTable) {
+    const Table& table = embedded_table("whole_blood");
+    const Curve oxygenated(table, "oxygenated");
+    const Curve deoxygenated(table, "deoxygenated");
+    Skin skin;
+    skin.papillary_blood_fraction = 1;
+    skin.bilirubin_g_per_l = 0;
+    skin.dermis_carotene_g_per_l = 0;
+    skin.whole_blood_share = 1;
+    for (const double wavelength_nm : {420.0, 545.0, 700.0}) {
+        const Extinction revised = Extinction::at(wavelength_nm, Edition::revised);
+        skin.oxygen_saturation = 1;
+        EXPECT_DOUBLE_EQ(absorption_per_cm(skin, revised)[2], 10 * oxygenated(wavelength_nm));
+        skin.oxygen_saturation = 0;
+        EXPECT_DOUBLE_EQ(absorption_per_cm(skin, revised)[2], 10 * deoxygenated(wavelength_nm));
+        const Extinction printed = Extinction::at(wavelength_nm, Edition::printed);
+        EXPECT_NEAR(absorption_per_cm(skin, printed)[2], 10 * deoxygenated(wavelength_nm) / std::log(10.0), 1e-12);
+    }
 }
 
 TEST(MelaninSlope, IsAPowerOfTheWavelengthAbout500Nm) {

@@ -31,6 +31,7 @@ std::array<NamedField, parameter_count> fields_of(ParameterValues& values) {
              SKINFIT_FIELD(skin, reticular_blood_fraction),
              SKINFIT_FIELD(skin, oxygen_saturation),
              SKINFIT_FIELD(skin, hemoglobin_g_per_l),
+             SKINFIT_FIELD(skin, whole_blood_share),
              SKINFIT_FIELD(skin, bilirubin_g_per_l),
              SKINFIT_FIELD(skin, dermal_bilirubin_g_per_l),
              SKINFIT_FIELD(skin, stratum_corneum_carotene_g_per_l),
@@ -105,7 +106,8 @@ TEST(Parameters, DefaultLiesWithinBoundsWithinAcceptedRange) {
 TEST(Parameters, UnitIsInTheName) {
     for (const ParameterInfo& row : parameter_table()) {
         EXPECT_EQ(row.unit == "g/L", row.name.ends_with("_g_per_l")) << row.name;
-        EXPECT_EQ(row.unit == "cm", row.name.ends_with("_cm")) << row.name;
+        EXPECT_EQ(row.unit == "1/cm", row.name.ends_with("_per_cm")) << row.name;
+        EXPECT_EQ(row.unit == "cm" || row.unit == "1/cm", row.name.ends_with("_cm")) << row.name;
         EXPECT_EQ(row.unit == "nm", row.name.ends_with("_nm")) << row.name;
         EXPECT_FALSE(row.meaning.empty()) << row.name;
         EXPECT_FALSE(row.source.empty()) << row.name;

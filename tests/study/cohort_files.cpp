@@ -173,6 +173,8 @@ TEST(PlannedFit, IsUniformOverAllGroupsWhereTheyDiffer) {
 TEST(PlannedFit, IsBySolverWhereNoEmulatorCanBe) {
     Json json = small_cohort();
     json["population"]["fibril_radius_nm"] = {{"kind", "normal"}, {"mean", 25}, {"sigma", 3}};
+    EXPECT_EQ(planned_fit(cohort_of(json)).engine, Engine::emulator);
+    json["population"]["epidermis_refractive_index"] = {{"kind", "normal"}, {"mean", 1.4}, {"sigma", 0.01}};
     EXPECT_EQ(planned_fit(cohort_of(json)).engine, Engine::solver);
     json = small_cohort();
     json["model"] = {{"viewing_cone_deg", 5}};
