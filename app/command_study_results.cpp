@@ -146,7 +146,8 @@ void add_study_power_command(CLI::App& study, Session& session) {
     CLI::App* const power_app =
         add_study_subcommand(study, power->shared, "power", "what difference between two groups such spectra can show");
     power_app
-        ->add_option("--quantity", power->quantity, "a parameter that the fits adjust, or an index such as erythema_index")
+        ->add_option("--quantity", power->quantity,
+                     "a parameter that the fits adjust, or an index such as erythema_index")
         ->type_name("NAME")
         ->required();
     power_app->add_option("--subjects", power->subjects, "numbers of subjects per group, 2 at least")

@@ -77,8 +77,7 @@ TEST(QualityFindings, NameAWrongUnit) {
     EXPECT_FALSE(unit_conflict(made(skin)));
     Spectrum counts = percent;
     counts.unit_rule = "percent: stated by the option";
-    EXPECT_EQ(unit_conflict(counts).value().remedy,
-              "if these are counts, divide them by those of the white reference");
+    EXPECT_EQ(unit_conflict(counts).value().remedy, "if these are counts, divide them by those of the white reference");
 }
 
 TEST(QualityFindings, NameValuesThatNoShareOfLightHas) {
