@@ -40,7 +40,11 @@ TEST_P(EverySample, ConservesLight) {
 
 TEST_P(EverySample, DerivativesMatchDifferences) {
     constexpr double wavelength_nm = 580;
-    const Skin& skin = GetParam().sample.skin;
+    Skin skin = GetParam().sample.skin;
+    skin.melanin_slope = 0.4;
+    skin.whole_blood_share = 0.3;
+    skin.dermal_bilirubin_g_per_l = 0.1;
+    skin.lateral_loss_per_cm = 0.2;
     const AngularResponse response = solver(skin).respond(wavelength_nm);
     for (const ParameterInfo& row : parameter_table()) {
         const auto p = static_cast<std::size_t>(row.parameter);

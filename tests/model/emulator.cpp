@@ -25,19 +25,6 @@ EmulatorDomain physiological(const Sample& sample, double incidence_rad, Side si
             .ranges = physiological_box};
 }
 
-/// Specimen `number` of a low-discrepancy sequence in the domain; other numbers than those that certify.
-Skin specimen(const EmulatorDomain& domain, int number) {
-    ParameterValues values{.skin = domain.sample.skin, .instrument = {}};
-    for (std::size_t i = 0; i < domain.ranges.size(); ++i) {
-        const double turns = number * std::pow(0.754877666246693, static_cast<double>(i + 1));
-        const double place = turns - std::floor(turns);
-        const ParameterRange& range = domain.ranges[i];
-        value_of(values, range.parameter) =
-            std::lerp(range.lower, range.upper, number % 2 == 0 ? place : std::pow(place, 3.0));
-    }
-    return values.skin;
-}
-
 std::vector<PerLayer<double>> depths(const Skin& skin, Edition edition) {
     std::vector<PerLayer<double>> result;
     for (const double wavelength_nm : wavelengths_nm) {

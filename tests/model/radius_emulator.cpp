@@ -29,19 +29,6 @@ RadiusEmulator made(const EmulatorDomain& domain) {
     return {domain, [](const EmulatorDomain& of_one) { return Emulator::build(of_one); }};
 }
 
-/// Specimen `number` of a low-discrepancy sequence in the domain; other numbers than those that certify.
-Skin specimen(const EmulatorDomain& domain, int number) {
-    ParameterValues values{.skin = domain.sample.skin, .instrument = {}};
-    for (std::size_t i = 0; i < domain.ranges.size(); ++i) {
-        const double turns = number * std::pow(0.754877666246693, static_cast<double>(i + 1));
-        const double place = turns - std::floor(turns);
-        const ParameterRange& range = domain.ranges[i];
-        value_of(values, range.parameter) =
-            std::lerp(range.lower, range.upper, number % 2 == 0 ? place : std::pow(place, 3.0));
-    }
-    return values.skin;
-}
-
 std::vector<RadiusShare> shares_of(const RadiusEmulator& emulator, const Skin& skin) {
     return emulator.respond(optical_depths(skin, extinctions(wavelengths_nm, Edition::revised)), skin.fibril_radius_nm);
 }
