@@ -33,6 +33,11 @@ std::vector<RadiusShare> shares_of(const RadiusEmulator& emulator, const Skin& s
     return emulator.respond(optical_depths(skin, extinctions(wavelengths_nm, Edition::revised)), skin.fibril_radius_nm);
 }
 
+double solved(const AngularSolver& solver, double wavelength_nm, Side side) {
+    const AngularResponse response = solver.shares(wavelength_nm);
+    return (side == Side::top ? response.reflected : response.transmitted).share;
+}
+
 TEST(RadiusEmulator, StaysWithinItsCertifiedErrorOfTheSolver) {
     for (const Side side : {Side::top, Side::bottom}) {
         const EmulatorDomain domain = domain_of(side == Side::top ? 8 : 45, side, 14, 42);
@@ -43,12 +48,10 @@ TEST(RadiusEmulator, StaysWithinItsCertifiedErrorOfTheSolver) {
         for (int number = 1; number <= 40; ++number) {
             const Skin skin = specimen(domain, number);
             const std::vector<RadiusShare> shares = shares_of(emulator, skin);
-            const AngularSolver exact = solver.with(skin);
             for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
-                const AngularResponse response = exact.shares(wavelengths_nm[i]);
-                const double expected = side == Side::top ? response.reflected.share : response.transmitted.share;
-                EXPECT_NEAR(shares[i].share, expected, emulator.certified_error(i));
-                largest = std::max(largest, std::abs(shares[i].share - expected));
+                const double off = std::abs(shares[i].share - solved(solver.with(skin), wavelengths_nm[i], side));
+                EXPECT_LE(off, emulator.certified_error(i));
+                largest = std::max(largest, off);
             }
         }
         constexpr double promised = 2e-4;
