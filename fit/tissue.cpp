@@ -48,13 +48,10 @@ double tissue_bilirubin_umol_per_l(const Skin& skin) {
 }
 
 constexpr std::array quantities = {
-    TissueQuantity{"dermal_hemoglobin_umol_per_l", "umol/L",
-                   "hemoglobin in the dermis, weighted by how far green light goes", dermal_hemoglobin_umol_per_l},
-    TissueQuantity{"epidermal_melanin_optical_depth", "", "of the melanosomes at 500 nm",
-                   epidermal_melanin_optical_depth},
-    TissueQuantity{"tissue_bilirubin_mg_per_dl", "mg/dL", "bilirubin in the dermis, in its blood and outside it",
-                   tissue_bilirubin_mg_per_dl},
-    TissueQuantity{"tissue_bilirubin_umol_per_l", "umol/L", "the same in moles", tissue_bilirubin_umol_per_l},
+    TissueQuantity{"dermal_hemoglobin_umol_per_l", "umol/L", dermal_hemoglobin_umol_per_l},
+    TissueQuantity{"epidermal_melanin_optical_depth", "", epidermal_melanin_optical_depth},
+    TissueQuantity{"tissue_bilirubin_mg_per_dl", "mg/dL", tissue_bilirubin_mg_per_dl},
+    TissueQuantity{"tissue_bilirubin_umol_per_l", "umol/L", tissue_bilirubin_umol_per_l},
 };
 
 /// The skin of the answer, with free parameter `place` at `value`.

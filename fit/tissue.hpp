@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,7 +18,6 @@ namespace skinfit {
 struct TissueQuantity {
     std::string_view name;  ///< JSON key and report row
     std::string_view unit;
-    std::string_view meaning;
     double (*value)(const Skin&);
 };
 

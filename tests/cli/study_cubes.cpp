@@ -78,6 +78,16 @@ TEST_F(StudyCubes, KilledItGoesOnAndTheMapIsTheSame) {
     EXPECT_TRUE(map_bytes("killed") == map_bytes("whole"));
 }
 
+TEST_F(StudyCubes, WhatImagesCannotAdjustIsSaid) {
+    put("radius.json", R"({"inputs": [{"cube": "arm.hdr"}], "fit": {"free": ["+fibril_radius_nm"]}, "output": "out"})");
+    const Outcome outcome = run({"study", "run", "radius.json"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.out.find("arm.hdr: FAILED: free parameter fibril_radius_nm: cannot be adjusted in images (their "
+                               "fits use the emulator of one geometry); fix it (\"free\": [\"-fibril_radius_nm\"])"),
+              std::string::npos)
+        << outcome.out;
+}
+
 TEST_F(StudyCubes, AMapThatIsLostIsMadeAgain) {
     put_study("whole", R"([{"cube": "arm.hdr"}])");
     EXPECT_LE(run({"study", "run", "whole.json"}).exit_code, 1);
