@@ -57,7 +57,7 @@ int run(const ConvertCommand& command, Session& session) {
     line.reset();
     check_output(shared, measured.files_of_cubes());
     write_output(shared, format_of(command) == "json" ? spectra_json(spectra) : spectra_csv(spectra, command.file));
-    return trustworthy_result;
+    return good_result;
 }
 
 }  // namespace

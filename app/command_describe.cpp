@@ -25,11 +25,11 @@ void add_describe_command(CLI::App& app, Session& session) {
         app.add_subcommand("describe", "say what a parameter, a setting or a word of the outputs stands for");
     const auto names = std::make_shared<std::vector<std::string>>();
     describe->add_option("NAME", *names, "names, or the words of one label; without any: all parameters and settings");
-    add_examples(*describe, {"skinfit describe", "skinfit describe bilirubin_g_per_l engine runs_p_value",
+    add_examples(*describe, {"skinfit describe", "skinfit describe bilirubin_g_per_l engine slow_residuals_p_value",
                              "skinfit describe RESIDUALS IN RUNS", "skinfit describe melanin"});
     describe->callback([names, &session] {
         write_stdout(names->empty() ? descriptions() : descriptions_of(*names));
-        session.exit_code = trustworthy_result;
+        session.exit_code = good_result;
     });
 }
 

@@ -53,7 +53,7 @@ int run(const DesignCommand& command, Session& session) {
         configuration, {.parameter = parameter, .best = command.best, .cache = cache_from(command.shared, line)});
     line.end();
     write_output(command.shared, output(result, command.shared.format));
-    return trustworthy_result;
+    return good_result;
 }
 
 }  // namespace

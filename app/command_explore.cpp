@@ -45,7 +45,7 @@ int run(const ExploreCommand& command, Session& session) {
     std::jthread serving([&server] { server.run(); });
     session.interrupt.wait();
     server.stop();
-    return trustworthy_result;
+    return good_result;
 }
 
 }  // namespace

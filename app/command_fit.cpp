@@ -18,6 +18,7 @@
 #include "fit/fit.hpp"
 #include "fit/gnuplot.hpp"
 #include "fit/inspection.hpp"
+#include "fit/preset.hpp"
 #include "fit/report.hpp"
 #include "measurements/text_reader.hpp"
 #include "report/fit_picture.hpp"
@@ -47,7 +48,7 @@ struct FitCommand {
 };
 
 Configuration fit_configuration(const FitCommand& command) {
-    Configuration configuration = configuration_from(command.shared);
+    Configuration configuration = configuration_from(command.shared, measured_configuration());
     if (!command.solver.empty()) {
         configuration = configured_by_word(configuration, "solver", command.solver, "--solver");
     }
@@ -159,7 +160,7 @@ int run_joint(const FitCommand& command, const Configuration& configuration, con
                  command.shared.format == "json" ? json_text(json_report(*result)) : text_report(*result),
                  [&] { write_files(command, *result, session); });
     if (session.interrupt.signal()) return session.interrupt.exit_code();
-    return result->verdict == Verdict::trustworthy ? trustworthy_result : result_with_warning;
+    return result->verdict == Verdict::consistent ? good_result : result_with_warning;
 }
 
 /// What belongs to one fit has no place for several.
@@ -285,7 +286,7 @@ void add_fit_command(CLI::App& app, Session& session) {
          "skinfit fit measurements/data/ncsu_113.csv --set engine=emulator --uncertainty profile",
          "skinfit fit measurements/data/ncsu_*.csv --set engine=emulator",
          "skinfit simulate --set melanosome_fraction=0.03 | skinfit fit - --column reflectance"},
-        "Exit code 0: trustworthy; 1: suspect or failed, as the verdict says; 2: bad input; 3: internal error; 130: "
+        "Exit code 0: consistent; 1: suspect or failed, as the verdict says; 2: bad input; 3: internal error; 130: "
         "ended by Ctrl-C. Of several fits the worst.");
     fit->callback([command, &session] { session.exit_code = run(*command, session); });
 }

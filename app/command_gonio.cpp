@@ -185,7 +185,7 @@ int run(const GonioCommand& command, Session& session) {
     const std::string text = measure(command, run, line);
     line.end();
     write_output(command.shared, text);
-    return trustworthy_result;
+    return good_result;
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ void add_help_command(CLI::App& app, Session& session) {
     add_examples(*help, {"skinfit help", "skinfit help fit", "skinfit help study run"});
     help->callback([words, &app, &session] {
         write_stdout(help_of(named_command(app, *words)));
-        session.exit_code = trustworthy_result;
+        session.exit_code = good_result;
     });
 }
 

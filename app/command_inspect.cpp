@@ -60,7 +60,7 @@ int run(const InspectCommand& command, Session& session) {
             write_beside(session, command.plot, [&] { draw_spectra(inspection.file.spectra, title, command.plot); });
         });
     if (command.strict) refuse_warnings(inspection.findings, inspection.file.source);
-    return trustworthy_result;
+    return good_result;
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ int run(const SensitivityCommand& command, Session& session) {
                      if (command.plot.empty()) return;
                      write_beside(session, command.plot, [&] { draw(sensitivity_plot(result), command.plot); });
                  });
-    return trustworthy_result;
+    return good_result;
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ int run(const SimulateCommand& command, Session& session) {
     line.end();
     write_output(command.shared, command.shared.format == "json" ? json_text(simulation_json(spectrum, configuration))
                                                                  : simulation_csv(spectrum, configuration));
-    return trustworthy_result;
+    return good_result;
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ int export_it(const StudyResultCommand& command, Session& session) {
         command.shared.format == "json" ? json_text(results_json(study, ledger, rows)) : study_csv(study, rows);
     line.end();
     write_output(output, text);
-    return trustworthy_result;
+    return good_result;
 }
 
 int report_it(const StudyResultCommand& command, Session& session) {
@@ -65,7 +65,7 @@ int report_it(const StudyResultCommand& command, Session& session) {
     write_file_atomically(output.out, study_page(study, results_of(study, ledger)));
     line.end();
     line.tell(fmt::format("wrote {}", output.out.string()));
-    return trustworthy_result;
+    return good_result;
 }
 
 std::vector<std::size_t> subjects_of(const StudyResultCommand& command) {
@@ -97,14 +97,14 @@ int power_it(const StudyResultCommand& command, Session& session) {
     const PowerAnswer answer = power_answer(study, answered(study, ledger.rows()), question);
     line.end();
     write_stdout(command.shared.format == "json" ? json_text(power_json(answer)) : power_text(answer));
-    if (command.plot.empty()) return trustworthy_result;
+    if (command.plot.empty()) return good_result;
     write_beside(session, command.plot, [&] {
         draw(power_figure({{.name = fmt::format("{} per subject", command.repeats), .design = answer.design}},
                           command.power, std::max<std::size_t>(3, std::ranges::max(question.subjects)),
                           {.name = command.quantity, .unit = unit_of(command.quantity)}),
              command.plot);
     });
-    return trustworthy_result;
+    return good_result;
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ int finished(const StudyRunCommand& command, const Study& study, const StudyRun&
         write_stdout(status_text(counts));
         write_stdout(fmt::format("ledger: {}\n", ledger.path().string()));
     }
-    return std::max<int>(exit_code_of(counts), run.undrawn_maps > 0 ? result_with_warning : trustworthy_result);
+    return std::max<int>(exit_code_of(counts), run.undrawn_maps > 0 ? result_with_warning : good_result);
 }
 
 /// One file that is missing is a failure among others; where all are, the folder is the wrong one.
@@ -128,11 +128,11 @@ int run_it(const StudyRunCommand& command, Session& session) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(options.jobs));
     const std::optional<StudyRun> run = run_study_together(study, options);
-    if (!run) return trustworthy_result;  // the process that leads says the rest
+    if (!run) return good_result;  // the process that leads says the rest
     line.end();
     const int exit_code = finished(command, study, *run, session);
     // Launchers take any other code of one process for a failure of all.
-    if (launched_processes() > 1) return trustworthy_result;
+    if (launched_processes() > 1) return good_result;
     return run->stopped ? session.interrupt.exit_code() : exit_code;
 }
 

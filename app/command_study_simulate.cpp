@@ -59,7 +59,7 @@ int run(const StudySimulateCommand& command, Session& session) {
     line.end();
     if (replaces) line.tell(fmt::format("note: replaced the earlier cohort in {}", command.output.string()));
     write_stdout(summary(cohort, simulated, command.output));
-    return trustworthy_result;
+    return good_result;
 }
 
 }  // namespace

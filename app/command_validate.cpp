@@ -94,7 +94,7 @@ int run(const ValidateCommand& command, Session& session) {
     const std::string json = json_text(summary_json(results));
     write_file_atomically(command.output / "summary.json", json);
     command.format == "json" ? write_stdout(json) : write_report_to_stdout(summary_text(results));
-    return trustworthy_result;
+    return good_result;
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ int run(const ValidateInverseCommand& command, Session& session) {
         line.tell(fmt::format("of {} spectra asked for only these {}", design.spectra, study.spectra.size()));
         return session.interrupt.exit_code();
     }
-    return passes(summary) ? trustworthy_result : result_with_warning;
+    return passes(summary) ? good_result : result_with_warning;
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ int run(int argc, char** argv, Interrupt& interrupt) {
         if (!help) throw InputError(command_line_complaint(*app, error));
         write_stdout(*help);
     }
-    return std::max<int>(session.exit_code, session.lacks_a_file ? result_with_warning : trustworthy_result);
+    return std::max<int>(session.exit_code, session.lacks_a_file ? result_with_warning : good_result);
 }
 
 /// The same, with what is wrong said.

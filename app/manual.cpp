@@ -84,7 +84,7 @@ std::string command_text(const CommandWords& command) {
 constexpr std::string_view closing = R"(.SH EXIT STATUS
 .TP
 0
-done; of a fit: a trustworthy result
+done; of a fit: a consistent result
 .TP
 1
 done, but a fit is suspect or failed, a study is not whole, or a validation has not passed

@@ -61,7 +61,7 @@ std::unique_ptr<CLI::App> make_program(Session& session) {
     app->formatter(std::make_shared<HelpForm>());
     app->footer(
         "`skinfit COMMAND --help` explains a command. To begin: skinfit fit measurements/data/ncsu_113.csv\n\n"
-        "Exit code 0: done, a fit is trustworthy; 1: done, but a fit is suspect or failed, a study is not whole, a "
+        "Exit code 0: done, a fit is consistent; 1: done, but a fit is suspect or failed, a study is not whole, a "
         "validation has not passed, or a file that was asked for could not be made; 2: bad input; 3: internal error; "
         "130: ended by Ctrl-C.");
     add_commands(*app, session);

@@ -87,10 +87,10 @@ Json separate_fits_json(std::span<const SeparateFit> fits) {
 }
 
 int exit_code_of(std::span<const SeparateFit> fits) {
-    int worst = trustworthy_result;
+    int worst = good_result;
     for (const SeparateFit& fit : fits) {
-        const bool is_good = fit.result && fit.result->verdict == Verdict::trustworthy;
-        worst = std::max<int>(worst, !fit.result ? bad_input : is_good ? trustworthy_result : result_with_warning);
+        const bool is_good = fit.result && fit.result->verdict == Verdict::consistent;
+        worst = std::max<int>(worst, !fit.result ? bad_input : is_good ? good_result : result_with_warning);
     }
     return worst;
 }

@@ -34,7 +34,7 @@ int exit_code_of(const StudyCounts& counts) {
     for (const FitStatus status : {FitStatus::pending, FitStatus::suspect, FitStatus::rejected, FitStatus::failed}) {
         if (count(counts.spectra, status) > 0 || count(counts.pixels, status) > 0) return result_with_warning;
     }
-    return counts.unread_cubes.empty() && counts.maps == counts.cubes ? trustworthy_result : result_with_warning;
+    return counts.unread_cubes.empty() && counts.maps == counts.cubes ? good_result : result_with_warning;
 }
 
 }  // namespace skinfit

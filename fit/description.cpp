@@ -8,6 +8,7 @@
 #include "core/nearest_names.hpp"
 #include "core/vocabulary.hpp"
 #include "fit/physiological_priors.hpp"
+#include "fit/preset.hpp"
 #include "fit/settings.hpp"
 #include "measurements/words.hpp"
 
@@ -30,8 +31,10 @@ std::string range_row(std::string_view label, double from, double to, std::strin
 
 std::string parameter_description(const ParameterInfo& info) {
     std::string text = fmt::format("{}: parameter\n  {}\n", info.name, info.meaning);
-    const double preset = value_of(default_configuration().values, info.parameter);
-    text += row("default", with_unit(fmt::format("{:g}", preset), info.unit));
+    const double of_paper = value_of(default_configuration().values, info.parameter);
+    const double of_skin = value_of(measured_configuration().values, info.parameter);
+    const std::string other = of_skin == of_paper ? "" : fmt::format("; preset skin: {:g}", of_skin);
+    text += row("default", with_unit(fmt::format("{:g}", of_paper), info.unit) + other);
     text += range_row("fit bounds", info.lower, info.upper, info.unit, info.source);
     text += range_row("limits", info.lowest, info.highest, info.unit);
     const std::optional<PhysiologicalPrior> known = known_of(info.parameter);
@@ -43,7 +46,9 @@ std::string parameter_description(const ParameterInfo& info) {
 
 std::string setting_description(const Setting& setting) {
     std::string text = fmt::format("{}: setting\n  {}\n", setting.name, setting.meaning);
-    text += row("default", setting.write(default_configuration()).dump());
+    const std::string of_paper = setting.write(default_configuration()).dump();
+    const std::string of_skin = setting.write(measured_configuration()).dump();
+    text += row("default", of_skin == of_paper ? of_paper : fmt::format("{}; preset skin: {}", of_paper, of_skin));
     text += row("takes", setting.schema.dump());
     return text;
 }

@@ -9,6 +9,7 @@
 
 #include "fit/critical_values.hpp"
 #include "fit/minimum.hpp"
+#include "fit/other_assumptions.hpp"
 
 namespace skinfit {
 namespace {
@@ -46,29 +47,52 @@ void judge_misfit(const FitResult& result, std::vector<std::string>& reasons) {
         reasons.push_back(fmt::format(
             "MISFIT beyond the noise: chi2 {:.1f} for {:.3g} degrees of freedom (p = {:.1g}), rmse {:.4f} "
             "against a noise of "
-            "{:.4f}; check geometry and specular, free scale or other parameters, set discrepancy, or state "
+            "{:.4f}; check geometry and specular, see what other assumptions change, set discrepancy, or state "
             "larger uncertainties, by the setting noise or in the file where it gives its own",
             result.chi2, result.degrees_of_freedom, *result.p_value, result.rmse, result.median_sigma));
     }
 }
 
-void judge_runs(const FitResult& result, std::vector<std::string>& reasons) {
-    // Runs this improbable hold four values or more, which makes a departure count twice: below half the noise it is
-    // harmless.
-    constexpr double harmless = 0.5;
-    if (!result.runs_p_value || *result.runs_p_value >= improbable || result.unexplained < harmless) return;
+/// The remedies lie in how the instrument and the skin are described: the table of other assumptions shows which
+/// matter.
+void judge_slow_residuals(const FitResult& result, std::vector<std::string>& reasons) {
+    if (!result.slow_residuals_p_value || *result.slow_residuals_p_value >= improbable) return;
     const std::optional<Discrepancy>& discrepancy = result.configuration.discrepancy;
-    reasons.push_back(
-        discrepancy
-            ? fmt::format("RESIDUALS IN RUNS: what a discrepancy of {:g} over {:g} nm leaves of them changes sign too "
-                          "rarely for noise that is independent from wavelength to wavelength (p = {:.1g}), so the "
-                          "model departs by more or in narrower bends; set a larger sigma or a shorter length_nm of "
-                          "the discrepancy, or free a parameter that may be missing",
-                          discrepancy->sigma, discrepancy->length_nm, *result.runs_p_value)
-            : fmt::format("RESIDUALS IN RUNS: they change sign too rarely for noise that is independent from "
-                          "wavelength to wavelength (p = {:.1g}), so the model departs smoothly and sigmas are too "
-                          "small; set discrepancy, or free a parameter that may be missing",
-                          *result.runs_p_value));
+    const std::string assumed = discrepancy ? fmt::format("the noise and a discrepancy of {:g} over {:g} nm",
+                                                          discrepancy->sigma, discrepancy->length_nm)
+                                            : "noise that is independent from wavelength to wavelength";
+    reasons.push_back(fmt::format(
+        "RESIDUALS IN RUNS: their slow part is larger than {} allows (p = {:.1g}), so the model departs smoothly and "
+        "sigmas are too small; {}, and see what other assumptions change",
+        assumed, *result.slow_residuals_p_value,
+        discrepancy ? "set a larger sigma or a shorter length_nm of the discrepancy" : "set discrepancy"));
+}
+
+void judge_departure(const FitResult& result, std::vector<std::string>& reasons) {
+    const std::optional<Discrepancy>& discrepancy = result.configuration.discrepancy;
+    if (!discrepancy || result.departure_rms <= largest_usual_departure * discrepancy->sigma) return;
+    reasons.push_back(fmt::format(
+        "UNUSUAL DEPARTURE: the discrepancy takes {:.4f} of the residuals (root mean square), more than {:g} times its "
+        "sigma of {:g}, which 99 in 100 measured spectra stay below; check geometry, specular and calibration, and see "
+        "what other assumptions change",
+        result.departure_rms, largest_usual_departure, discrepancy->sigma));
+}
+
+void judge_assumptions(const FitResult& result, std::vector<std::string>& reasons) {
+    if (!result.other_assumptions) return;
+    const OtherAssumptions& others = *result.other_assumptions;
+    for (const OtherAssumptions::Alternative& alternative : others.alternatives) {
+        std::string moves;
+        for (const std::size_t place : answers_moved(others, alternative)) {
+            moves += fmt::format("{}{} would be {:.3g} instead of {:.3g}", moves.empty() ? "" : ", ",
+                                 others.answers[place].name, alternative.values[place], others.answers[place].value);
+        }
+        if (moves.empty()) continue;
+        reasons.push_back(
+            fmt::format("DEPENDS ON AN ASSUMPTION: with {} {}, outside its interval, and bands left out are predicted "
+                        "better ({:.4f} against {:.4f}); state what is known of it",
+                        alternative.assumption, moves, alternative.left_out_rmse, others.left_out_rmse));
+    }
 }
 
 /// What a cost is, between `before` and `after`; empty where it is chi2 and called so.
@@ -94,6 +118,7 @@ void judge_parameters(const FitResult& result, std::vector<std::string>& reasons
         const std::string& name = fitted.name;
         const Status status = fitted.uncertainty.status;
         if (status == Status::at_lower_bound || status == Status::at_upper_bound) {
+            if (is_upper_limit(fitted)) continue;
             const bool at_lower = status == Status::at_lower_bound;
             const ParameterInfo& row = info(fitted.parameter);
             // No configuration can widen a bound that is the parameter's limit.
@@ -186,14 +211,16 @@ Diagnosis diagnose(const FitResult& result) {
     std::vector<std::string> reasons;
     judge_spectrum(result, reasons);
     judge_misfit(result, reasons);
-    judge_runs(result, reasons);
+    judge_slow_residuals(result, reasons);
+    judge_departure(result, reasons);
     judge_minima(result, reasons);
     judge_parameters(result, reasons);
+    judge_assumptions(result, reasons);
     judge_model_error(result, reasons);
     judge_end(result, reasons);
     judge_sampling(result, reasons);
     judge_solvers(result, reasons);
-    return {.verdict = reasons.empty() ? Verdict::trustworthy : Verdict::suspect, .reasons = std::move(reasons)};
+    return {.verdict = reasons.empty() ? Verdict::consistent : Verdict::suspect, .reasons = std::move(reasons)};
 }
 
 }  // namespace skinfit

@@ -7,20 +7,26 @@
 
 #include "fit/measurement.hpp"
 #include "fit/reading.hpp"
-#include "fit/runs_test.hpp"
+#include "fit/slow_residuals.hpp"
 #include "model/angular_error.hpp"
 
 namespace skinfit {
 namespace {
 
-/// `FitResult::degrees_of_freedom`: the trace of one minus the matrix that maps the data to the fitted data.
-double degrees_of_freedom(const Objective& objective, const Minimum& minimum) {
-    const auto readings = static_cast<Eigen::Index>(objective.reading_count());
+/// What the fit takes of the whitened data, readings x free parameters: the data's rows of an orthonormal basis of what
+/// the free parameters change.
+Eigen::MatrixXd fitted_directions(const Objective& objective, const Minimum& minimum) {
     const auto free = static_cast<Eigen::Index>(objective.free_count());
-    if (objective.residual_count() == objective.reading_count()) return static_cast<double>(readings - free);
     const Eigen::HouseholderQR<Eigen::MatrixXd> qr(objective.misfit(minimum.values).jacobian);
-    const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(qr.rows(), free);
-    return static_cast<double>(readings) - q.topRows(readings).squaredNorm();
+    const Eigen::MatrixXd basis = qr.householderQ() * Eigen::MatrixXd::Identity(qr.rows(), free);
+    return basis.topRows(static_cast<Eigen::Index>(objective.reading_count()));
+}
+
+/// `FitResult::degrees_of_freedom`: the trace of one minus the matrix that maps the data to the fitted data.
+double degrees_of_freedom(const Objective& objective, const Eigen::MatrixXd& fitted) {
+    const auto readings = static_cast<double>(objective.reading_count());
+    const bool has_priors = objective.residual_count() > objective.reading_count();
+    return readings - (has_priors ? fitted.squaredNorm() : static_cast<double>(objective.free_count()));
 }
 
 double mean_square(const std::vector<double>& a, const std::vector<double>& b) {
@@ -65,16 +71,23 @@ double root_mean_square(const std::vector<FittedSpectrum>& spectra) {
     return spectra.size() == 1 ? spectra.front().rmse : std::sqrt(sum / count);
 }
 
-/// `FitResult::runs_p_value` of residuals of all spectra, one after the other.
-std::optional<double> least_runs_p_value(const std::vector<FittedSpectrum>& spectra, const Eigen::VectorXd& residuals) {
+/// `FitResult::slow_residuals_p_value` of whitened residuals of all spectra, one after the other.
+std::optional<double> least_slow_p_value(const std::vector<FittedSpectrum>& spectra, const Eigen::VectorXd& residuals,
+                                         const Eigen::MatrixXd& fitted) {
     std::optional<double> least;
-    const double* first = residuals.data();
+    Eigen::Index first = 0;
     for (const FittedSpectrum& spectrum : spectra) {
-        const std::optional<double> p_value = runs_p_value({first, spectrum.measured.size()});
-        first += spectrum.measured.size();
+        const auto count = static_cast<Eigen::Index>(spectrum.measured.size());
+        const std::optional<double> p_value =
+            slow_residuals_p_value(residuals.segment(first, count), fitted.middleRows(first, count));
+        first += count;
         if (p_value) least = std::min(least.value_or(1.0), static_cast<double>(spectra.size()) * *p_value);
     }
     return least;
+}
+
+double root_mean_square(const Eigen::VectorXd& values) {
+    return std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
 }
 
 std::optional<double> chi2_p_value(double chi2, double degrees_of_freedom) {
@@ -109,20 +122,30 @@ double median(std::vector<double> values) {
 
 void describe_misfit(const Objective& objective, const Minimum& minimum, FitResult& result) {
     const Objective::Modelled modelled = objective.model(minimum.values);
-    result.spectra = fitted_spectra(objective.problem(), modelled.reading, objective.residuals(modelled.reading));
+    const Eigen::VectorXd residuals = objective.residuals(modelled.reading);
+    const Eigen::MatrixXd fitted = fitted_directions(objective, minimum);
+    result.spectra = fitted_spectra(objective.problem(), modelled.reading, residuals);
     result.rmse = root_mean_square(result.spectra);
     result.chi2 = minimum.chi2;
     result.cost = minimum.cost;
-    result.degrees_of_freedom = degrees_of_freedom(objective, minimum);
+    result.degrees_of_freedom = degrees_of_freedom(objective, fitted);
     result.p_value = chi2_p_value(result.chi2, result.degrees_of_freedom);
     if (result.degrees_of_freedom > 0) result.inflation = std::sqrt(result.chi2 / result.degrees_of_freedom);
-    const Eigen::VectorXd unexplained = objective.unexplained(modelled.reading);
-    result.runs_p_value = least_runs_p_value(result.spectra, unexplained);
-    result.unexplained = std::sqrt(unexplained.squaredNorm() / static_cast<double>(unexplained.size()));
+    result.slow_residuals_p_value = least_slow_p_value(result.spectra, residuals, fitted);
     std::vector<double> sigmas;
+    std::vector<double> differences;
     for (const FittedSpectrum& spectrum : result.spectra) {
         sigmas.insert(sigmas.end(), spectrum.sigma.begin(), spectrum.sigma.end());
+        for (std::size_t i = 0; i < spectrum.measured.size(); ++i) {
+            differences.push_back(spectrum.modelled[i] - spectrum.measured[i]);
+        }
     }
+    const auto readings = static_cast<Eigen::Index>(sigmas.size());
+    const Eigen::VectorXd unexplained = objective.unexplained(modelled.reading)
+                                            .cwiseProduct(Eigen::Map<const Eigen::VectorXd>(sigmas.data(), readings));
+    result.unexplained_rmse = root_mean_square(unexplained);
+    result.departure_rms =
+        root_mean_square(Eigen::Map<const Eigen::VectorXd>(differences.data(), readings) - unexplained);
     result.median_sigma = median(sigmas);
     for (const MeasurementModel& model : objective.models()) {
         if (const std::optional<double> certified = certified_error(model.forward_model())) {

@@ -35,9 +35,7 @@ NoiseModel::NoiseModel(std::span<const double> wavelength_nm, std::span<const do
                        const std::optional<Discrepancy>& discrepancy)
     : sigma_(Eigen::Map<const Eigen::VectorXd>(sigma.data(), static_cast<Index>(sigma.size()))) {
     if (!discrepancy) return;
-    Eigen::MatrixXd matrix = covariance(*discrepancy, wavelength_nm);
-    matrix.diagonal() += sigma_.cwiseAbs2();
-    const Eigen::LLT<Eigen::MatrixXd> cholesky(matrix);
+    const Eigen::LLT<Eigen::MatrixXd> cholesky(covariance_of(wavelength_nm, sigma, discrepancy));
     if (cholesky.info() != Eigen::Success) {
         throw InputError({.where = "discrepancy",
                           .problem = fmt::format("cannot be used with uncertainties down to {:.2g}", sigma_.minCoeff()),
@@ -56,6 +54,15 @@ Eigen::VectorXd NoiseModel::unexplained(const Eigen::VectorXd& differences) cons
     if (factor_.size() == 0) return sigma_.cwiseInverse().asDiagonal() * differences;
     const Eigen::VectorXd whitened = factor_.triangularView<Eigen::Lower>().solve(differences);
     return sigma_.asDiagonal() * factor_.triangularView<Eigen::Lower>().transpose().solve(whitened);
+}
+
+Eigen::MatrixXd covariance_of(std::span<const double> wavelength_nm, std::span<const double> sigma,
+                              const std::optional<Discrepancy>& discrepancy) {
+    const auto count = static_cast<Index>(wavelength_nm.size());
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count, count);
+    if (discrepancy) matrix = covariance(*discrepancy, wavelength_nm);
+    matrix.diagonal() += Eigen::Map<const Eigen::VectorXd>(sigma.data(), count).cwiseAbs2();
+    return matrix;
 }
 
 Eigen::MatrixXd departure_root(std::span<const double> wavelength_nm, const Discrepancy& discrepancy) {

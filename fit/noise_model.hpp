@@ -32,6 +32,10 @@ private:
     Eigen::MatrixXd factor_;  // lower Cholesky factor of the covariance; empty where it is diagonal
 };
 
+/// That covariance, wavelengths x wavelengths.
+[[nodiscard]] Eigen::MatrixXd covariance_of(std::span<const double> wavelength_nm, std::span<const double> sigma,
+                                            const std::optional<Discrepancy>& discrepancy);
+
 /// The symmetric square root of the departure's covariance, wavelengths x wavelengths: times independent standard
 /// normal numbers, a departure drawn at random.
 [[nodiscard]] Eigen::MatrixXd departure_root(std::span<const double> wavelength_nm, const Discrepancy& discrepancy);

@@ -41,6 +41,7 @@ public:
     /// What it was made from.
     [[nodiscard]] const FitProblem& problem() const { return *problem_; }
     [[nodiscard]] const std::vector<MeasurementModel>& models() const { return models_; }
+    [[nodiscard]] const std::stop_token& stop() const { return stop_; }
     [[nodiscard]] std::size_t reading_count() const { return static_cast<std::size_t>(first_row_.back()); }
     /// Of `misfit`: one per reading and one per prior.
     [[nodiscard]] std::size_t residual_count() const;

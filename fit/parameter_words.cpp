@@ -41,8 +41,9 @@ std::string remark_on_status(Status status) {
     }
 }
 
-std::string remark_on(const ParameterUncertainty& uncertainty) {
-    std::string remark = remark_on_status(uncertainty.status);
+std::string remark_on(const FittedParameter& free) {
+    const ParameterUncertainty& uncertainty = free.uncertainty;
+    std::string remark = is_upper_limit(free) ? "UPPER LIMIT" : remark_on_status(uncertainty.status);
     if (!uncertainty.decided_by_prior) return remark;
     return remark + (remark.empty() ? "" : ", ") + "DECIDED BY ITS PRIOR";
 }
@@ -81,7 +82,7 @@ ParameterWords parameter_words(const FittedParameter& free) {
             .monte_carlo = has_sigma ? monte_carlo_words(*uncertainty.monte_carlo_sigma) : "-",
             .interval_95 = interval_words(free, grain),
             .unit = unit.empty() ? "-" : std::string(unit),
-            .remark = remark_on(uncertainty)};
+            .remark = remark_on(free)};
 }
 
 }  // namespace skinfit

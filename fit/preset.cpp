@@ -23,18 +23,23 @@ Configuration with_preset(const Configuration& configuration, Preset preset) {
     return changed;
 }
 
+Configuration measured_configuration() {
+    return with_preset(default_configuration(), Preset::skin);
+}
+
 Setting preset_setting() {
-    return {
-        "preset",
-        "what all other settings begin with: paper: Table 1 of the paper; skin: priors, noise, discrepancy and free "
-        "parameters for measured skin",
-        {{"enum", preset_names}},
-        [](Configuration& configuration, const Json& value, const std::string& where) {
-            configuration = with_preset(configuration, static_cast<Preset>(read_choice(value, preset_names, where)));
-        },
-        [](const Configuration& configuration) {
-            return Json(preset_names[static_cast<std::size_t>(configuration.preset)]);
-        }};
+    return {"preset",
+            "what all other settings begin with: skin: priors, noise, discrepancy and free parameters for measured "
+            "skin, the "
+            "default of fit, explore and studies of spectra; paper: Table 1 of the paper, the default elsewhere",
+            {{"enum", preset_names}},
+            [](Configuration& configuration, const Json& value, const std::string& where) {
+                configuration =
+                    with_preset(configuration, static_cast<Preset>(read_choice(value, preset_names, where)));
+            },
+            [](const Configuration& configuration) {
+                return Json(preset_names[static_cast<std::size_t>(configuration.preset)]);
+            }};
 }
 
 }  // namespace skinfit

@@ -9,6 +9,9 @@ namespace skinfit {
 /// `Preset::paper` it goes by `default_configuration`.
 [[nodiscard]] Configuration with_preset(const Configuration& configuration, Preset preset);
 
+/// What fits of measured spectra begin with unless something else is stated: `Preset::skin`.
+[[nodiscard]] Configuration measured_configuration();
+
 /// The setting `preset`.
 [[nodiscard]] Setting preset_setting();
 

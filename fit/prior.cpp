@@ -8,16 +8,14 @@
 #include <limits>
 #include <numbers>
 
+#include "fit/critical_values.hpp"
+
 namespace skinfit {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double farthest_score = 8.0;
 const boost::math::normal_distribution<double> standard_normal;
-
-double normal_share_below(double z) {
-    return boost::math::cdf(standard_normal, z);
-}
 
 Residual score_of(const NormalPrior& prior, double x) {
     return {.value = (x - prior.mean) / prior.sigma, .slope = 1.0 / prior.sigma};

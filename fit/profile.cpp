@@ -17,10 +17,6 @@ using Eigen::VectorXd;
 // moves that end by less than 0.002 sigma.
 constexpr double cost_tolerance = 0.01;
 
-double normal_share_below(double x) {
-    return 0.5 * std::erfc(-x / std::sqrt(2.0));
-}
-
 /// `point` of the profile of `column`. A rise below 0 is no more than the descents leave.
 ProfilePoint profile_point(const BoxPoint& point, Index column, double rise) {
     const double at = point.position[column];

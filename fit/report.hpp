@@ -25,6 +25,12 @@ namespace skinfit {
 /// The error of the computed readings, in words.
 [[nodiscard]] std::string model_error_words(const FitResult& result);
 
+/// rmse, with and without what the discrepancy takes, and chi2, in words.
+[[nodiscard]] std::string misfit_words(const FitResult& result);
+
+/// The noise and the discrepancy against which a fit was judged, in words.
+[[nodiscard]] std::string assumed_words(const FitResult& result);
+
 /// How many starts, at how many minima their searches ended, and which of these were left out.
 [[nodiscard]] std::string search_words(const FitResult& result);
 

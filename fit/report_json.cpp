@@ -44,6 +44,19 @@ Json correlation_json(const FitResult& result) {
     return {{"parameters", names}, {"matrix", matrix}};
 }
 
+Json other_assumptions_json(const FitResult& result) {
+    if (!result.other_assumptions) return {};
+    const OtherAssumptions& others = *result.other_assumptions;
+    Json alternatives = Json::array();
+    for (const OtherAssumptions::Alternative& each : others.alternatives) {
+        Json answers;
+        for (std::size_t i = 0; i < others.answers.size(); ++i) answers[others.answers[i].name] = each.values[i];
+        alternatives.push_back(
+            {{"assumption", each.assumption}, {"left_out_rmse", each.left_out_rmse}, {"answers", answers}});
+    }
+    return {{"left_out_rmse", others.left_out_rmse}, {"alternatives", alternatives}};
+}
+
 Json values_json(const FitResult& result, const Minimum& minimum) {
     Json values;
     for (std::size_t i = 0; i < result.free.size(); ++i) {
@@ -141,13 +154,15 @@ Json json_report(const FitResult& result) {
                  {"cost", result.cost},
                  {"degrees_of_freedom", result.degrees_of_freedom},
                  {"p_value", or_null(result.p_value)},
-                 {"runs_p_value", or_null(result.runs_p_value)},
-                 {"unexplained_sigmas", result.unexplained},
+                 {"slow_residuals_p_value", or_null(result.slow_residuals_p_value)},
+                 {"unexplained_rmse", result.unexplained_rmse},
+                 {"departure_rms", result.departure_rms},
                  {"monte_carlo_error", result.monte_carlo_error},
                  {"emulator_error", or_null(result.emulator_error)},
                  {"solver_error", or_null(result.solver_error)},
                  {"parameters", parameters_json(result)},
                  {"tissue", tissue_json(result)},
+                 {"other_assumptions", other_assumptions_json(result)},
                  {"correlation", correlation_json(result)},
                  {"uncertainty", uncertainty_json(result)},
                  {"solution", answer_json(result, result.answer, solver_name(result.answer.solver))}};

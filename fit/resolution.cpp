@@ -67,6 +67,7 @@ ResolvedConfiguration resolved(Configuration configuration, const Spectrum& spec
     resolved.incidence_deg =
         stated.incidence_deg.value_or(cone ? default_incidence_deg_with_cone : default_incidence_deg);
     resolved.specular = stated.specular.value_or(cone ? default_specular_with_cone : default_specular);
+    resolved.specular_is_assumed = !stated.specular;
     resolved.viewing_cone_deg = stated.viewing_cone_deg;
     if (stated.instrument) resolved.instrument = stated.instrument->name;
     resolved.bandpass = {.shape = stated.bandpass_shape.value_or(default_bandpass_shape),

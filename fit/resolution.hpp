@@ -19,6 +19,7 @@ struct ResolvedConfiguration : FitSettings {
     Base base;
     double incidence_deg = default_incidence_deg;
     Specular specular = default_specular;
+    bool specular_is_assumed = false;        ///< nothing states it
     std::optional<double> viewing_cone_deg;  ///< half angle about the normal; none: the hemisphere is collected
     std::string instrument;                  ///< its name or file, for the record; empty: none
     Bandpass bandpass;                       ///< of width 0: single wavelengths

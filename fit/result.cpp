@@ -11,6 +11,11 @@
 
 namespace skinfit {
 
+bool is_upper_limit(const FittedParameter& fitted) {
+    return fitted.uncertainty.status == Status::at_lower_bound && fitted.bounds.lower == 0.0 &&
+           may_be_absent(fitted.parameter);
+}
+
 bool has_own_cost(const FitResult& result) {
     return !result.priors.empty() || result.configuration.loss != Loss::squares ||
            !result.configuration.weights.empty();

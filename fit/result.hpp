@@ -16,7 +16,7 @@
 namespace skinfit {
 
 /// Whether the answer can be used.
-enum class Verdict { trustworthy, suspect, failed };
+enum class Verdict { consistent, suspect, failed };
 
 /// One parameter of a fit, free or fixed.
 struct FittedParameter {
@@ -52,10 +52,29 @@ struct FittedSpectrum {
     std::vector<Bounds> modelled_95{};  ///< of each modelled reading: `model_band`
 };
 
+/// The answers of fits under other assumptions than those of the fit.
+struct OtherAssumptions {
+    /// A quantity that should not depend on them, as the fit itself answers.
+    struct Answer {
+        std::string name;
+        double value;
+        Bounds interval_95;
+    };
+    /// One of them.
+    struct Alternative {
+        std::string assumption;      ///< in words
+        double left_out_rmse;        ///< `left_out_rmse` under it
+        std::vector<double> values;  ///< in the order of `answers`
+    };
+    std::vector<Answer> answers;
+    double left_out_rmse = 0.0;  ///< of the fit itself
+    std::vector<Alternative> alternatives;
+};
+
 /// Everything a report needs.
 struct FitResult {
     Verdict verdict = Verdict::failed;
-    std::vector<std::string> reasons;     ///< each with its remedy; empty when trustworthy
+    std::vector<std::string> reasons;     ///< each with its remedy; empty when consistent
     std::vector<FittedSpectrum> spectra;  ///< at least one
     std::vector<Finding> findings;        ///< on the spectra, made before the fit
     double rmse = 0.0;                    ///< of reading minus measurement, over all spectra, fraction
@@ -65,12 +84,13 @@ struct FitResult {
     /// determine them, which without priors is all of them.
     double degrees_of_freedom = 0.0;
     std::optional<double> p_value;  ///< of chi2; none without degrees of freedom
-    /// That the unexplained residuals change sign as rarely: the least of the spectra, times their number.
-    std::optional<double> runs_p_value;
-    /// Root mean square of the residuals, less what the discrepancy explains of them, in sigmas of the noise.
-    double unexplained = 0.0;
-    double median_sigma = 0.0;             ///< of the measurement
-    double monte_carlo_error = 0.0;        ///< median standard error of the modelled reading
+    /// That the slow part of the whitened residuals is as large by chance: the least `slow_residuals_p_value` of the
+    /// spectra, times their number.
+    std::optional<double> slow_residuals_p_value;
+    double unexplained_rmse = 0.0;   ///< root mean square of the residuals less what the discrepancy takes, fraction
+    double departure_rms = 0.0;      ///< root mean square of what the discrepancy takes, fraction
+    double median_sigma = 0.0;       ///< of the measurement
+    double monte_carlo_error = 0.0;  ///< median standard error of the modelled reading
     std::optional<double> emulator_error;  ///< largest, certified, of the share that leaves; engine emulator only
     std::optional<double> solver_error;    ///< largest stated, of the share that leaves; engine solver only
     std::vector<FittedParameter> free;     ///< in the order of the parameter table; rows of `correlation`
@@ -87,10 +107,14 @@ struct FitResult {
     std::vector<std::string> priors;  ///< in use, in words
     /// What a stop has left out, in words; see `FitWatch::keeps_partial_result`.
     std::vector<std::string> unfinished;
-    std::vector<SolverAnswer> cross_check;  ///< other solvers on the same objective; empty unless asked for
+    std::optional<OtherAssumptions> other_assumptions;  ///< none where they were not tried: `try_other_assumptions`
+    std::vector<SolverAnswer> cross_check;              ///< other solvers on the same objective; empty unless asked for
     /// The fit can be run again from it: of one spectrum resolved, of several as stated.
     Configuration configuration;
 };
+
+/// Whether the parameter ended at 0, where skin may have none of it (`may_be_absent`): its interval is an upper limit.
+[[nodiscard]] bool is_upper_limit(const FittedParameter& fitted);
 
 /// The number of readings of all spectra.
 [[nodiscard]] std::size_t reading_count(const FitResult& result);

@@ -143,6 +143,23 @@ const ParameterInfo& info(Parameter parameter) {
     return row(parameter).info;
 }
 
+bool may_be_absent(Parameter parameter) {
+    constexpr std::array amounts = {Parameter::melanosome_fraction,
+                                    Parameter::eumelanin_g_per_l,
+                                    Parameter::pheomelanin_g_per_l,
+                                    Parameter::papillary_blood_fraction,
+                                    Parameter::reticular_blood_fraction,
+                                    Parameter::hemoglobin_g_per_l,
+                                    Parameter::bilirubin_g_per_l,
+                                    Parameter::dermal_bilirubin_g_per_l,
+                                    Parameter::stratum_corneum_carotene_g_per_l,
+                                    Parameter::epidermis_carotene_g_per_l,
+                                    Parameter::dermis_carotene_g_per_l,
+                                    Parameter::lateral_loss_per_cm,
+                                    Parameter::specular_fraction};
+    return std::ranges::find(amounts, parameter) != amounts.end();
+}
+
 bool belongs_to_instrument(Parameter parameter) {
     return std::holds_alternative<double Instrument::*>(row(parameter).field);
 }

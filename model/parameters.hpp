@@ -82,6 +82,10 @@ struct ParameterInfo {
 /// Whether the parameter is a field of `Instrument` rather than of `Skin`.
 [[nodiscard]] bool belongs_to_instrument(Parameter parameter);
 
+/// Whether 0 is a value that skin and instrument may have: an amount of what absorbs, or a share of light that is lost
+/// or seen.
+[[nodiscard]] bool may_be_absent(Parameter parameter);
+
 /// The parameter of that name, if there is one.
 [[nodiscard]] std::optional<Parameter> find_parameter(std::string_view name);
 

@@ -16,16 +16,10 @@ namespace skinfit {
 namespace {
 
 Html misfit_list(const FitResult& result) {
-    std::vector<std::pair<std::string, Html>> items = {
-        {"rmse", escaped(fmt::format("{:.5f}", result.rmse))},
-        {"chi2", escaped(fmt::format("{:.2f} for {:.3g} degrees of freedom{}", result.chi2, result.degrees_of_freedom,
-                                     result.p_value ? fmt::format(" (p = {:.2g})", *result.p_value) : ""))}};
-    if (result.runs_p_value) {
-        items.emplace_back("runs of residuals", escaped(fmt::format("p = {:.2g}", *result.runs_p_value)));
-    }
-    if (const auto& discrepancy = result.configuration.discrepancy) {
-        items.emplace_back("discrepancy", escaped(fmt::format("{:g} over {:g} nm, part of chi2", discrepancy->sigma,
-                                                              discrepancy->length_nm)));
+    std::vector<std::pair<std::string, Html>> items = {{"judged against", escaped(assumed_words(result))},
+                                                       {"misfit", escaped(misfit_words(result))}};
+    if (result.slow_residuals_p_value) {
+        items.emplace_back("slow residuals", escaped(fmt::format("p = {:.2g}", *result.slow_residuals_p_value)));
     }
     if (has_own_cost(result)) {
         items.emplace_back("minimised",
@@ -103,6 +97,26 @@ Html free_table(const FitResult& result) {
     return html_table(table);
 }
 
+Html other_assumptions_table(const OtherAssumptions& others) {
+    HtmlTable table{.caption = "What other assumptions change",
+                    .columns = {{.name = "assumption", .cells = Cells::text}, {.name = "bands left out"}},
+                    .rows = {}};
+    const auto row = [](std::string_view assumption, double error) {
+        return std::vector<Html>{escaped(assumption), escaped(fmt::format("{:.4f}", error))};
+    };
+    std::vector<Html> fitted = row("as fitted", others.left_out_rmse);
+    for (const OtherAssumptions::Answer& answer : others.answers) {
+        table.columns.push_back({.name = answer.name});
+        fitted.push_back(escaped(fmt::format("{:.3g}", answer.value)));
+    }
+    table.rows.push_back(std::move(fitted));
+    for (const OtherAssumptions::Alternative& each : others.alternatives) {
+        table.rows.push_back(row(each.assumption, each.left_out_rmse));
+        for (const double value : each.values) table.rows.back().push_back(escaped(fmt::format("{:.3g}", value)));
+    }
+    return html_table(table);
+}
+
 }  // namespace
 
 HtmlSection spectrum_section(const FitResult& result) {
@@ -133,6 +147,13 @@ HtmlSection parameter_section(const FitResult& result) {
          .alternative = "Values and 95 % intervals of the table above, drawn over the ranges of healthy skin",
          .caption = "Each parameter over an axis of its own: the range published for healthy skin where there is one "
                     "(sources in the table), else the bounds of the fit."});
+    if (result.other_assumptions) {
+        section.body += other_assumptions_table(*result.other_assumptions);
+        section.body += paragraph(
+            "Bands left out: root mean square error with which bands of 30 nm follow from the rest of the spectrum. An "
+            "answer that leaves its interval under an assumption that predicts them better by a fifth makes the fit "
+            "suspect.");
+    }
     section.body += folded(fmt::format("{} parameters held fixed", result.fixed.size()), fixed_table(result));
     return section;
 }

@@ -21,7 +21,7 @@ bool is_control(char c) {
 }
 
 std::string_view meaning_of(std::string_view word) {
-    if (word == "trustworthy" || word == "fitted") return "good";
+    if (word == "consistent" || word == "fitted") return "good";
     if (word == "suspect") return "doubtful";
     if (word == "failed" || word == "rejected") return "bad";
     return "neutral";

@@ -54,7 +54,7 @@ using HtmlAttributes = std::vector<std::pair<std::string_view, std::string>>;
 /// Text with its line ends and blanks, that opens at a click on `summary`; on paper it stays closed.
 [[nodiscard]] Html folded_text(std::string_view summary, std::string_view text);
 
-/// The word of a verdict or of a status, set off and coloured by what it means: `trustworthy` and `fitted` are good,
+/// The word of a verdict or of a status, set off and coloured by what it means: `consistent` and `fitted` are good,
 /// `suspect` is doubtful, `failed` and `rejected` are bad, every other word is neutral.
 [[nodiscard]] Html badge(std::string_view word);
 

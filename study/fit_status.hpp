@@ -9,7 +9,7 @@ namespace skinfit {
 /// What became of one spectrum of a study, or of one pixel of a map.
 enum class FitStatus : std::uint8_t {
     pending,   ///< not yet looked at
-    fitted,    ///< with a trustworthy answer
+    fitted,    ///< with a consistent answer
     suspect,   ///< with an answer and reasons to doubt it
     rejected,  ///< not fitted: a quality finding says that no fit could be trusted
     failed,    ///< without an answer: unreadable, or the fit did not converge

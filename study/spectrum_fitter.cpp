@@ -36,7 +36,7 @@ std::vector<double> quantiles_of(const Posterior& posterior, Eigen::Index parame
 StudiedSpectrum described(const FitResult& result) {
     StudiedSpectrum studied;
     studied.verdict = name_of(result.verdict);
-    if (result.verdict == Verdict::trustworthy) studied.status = FitStatus::fitted;
+    if (result.verdict == Verdict::consistent) studied.status = FitStatus::fitted;
     if (result.verdict == Verdict::suspect) studied.status = FitStatus::suspect;
     if (result.verdict == Verdict::failed) studied.status = FitStatus::failed;
     for (const std::string& reason : result.reasons) studied.reason += (studied.reason.empty() ? "" : " | ") + reason;

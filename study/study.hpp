@@ -90,7 +90,7 @@ struct Assessment {
     std::vector<double> thresholds{0.5};  ///< probabilities from which the answer is yes
 };
 
-/// The configuration of the fits of a study that states nothing: that of `skinfit fit`, by the emulator.
+/// The configuration of the fits of a study with preset paper: fitted by the emulator.
 [[nodiscard]] Configuration default_study_configuration();
 
 /// A study, as its file describes it.
@@ -101,7 +101,8 @@ struct Study {
     std::vector<StudyCube> cubes;
     Json fit = Json::object();                                    ///< settings of the fits, as the file states them
     std::optional<std::string> instrument;                        ///< beside them
-    Configuration configuration = default_study_configuration();  ///< of the fits, with both of these
+    Configuration configuration = default_study_configuration();  ///< of the fits, with both of these; begins with
+                                                                  ///< preset skin, with paper where there are images
     std::vector<std::string> accept;                              ///< quality findings that do not reject a spectrum
     std::vector<std::string> group_by;
     std::string repeats_of;  ///< metadata that name a specimen: spectra with the same word are repeats; empty: none

@@ -10,6 +10,7 @@
 #include "fit/configuration_json.hpp"
 #include "fit/json_reading.hpp"
 #include "fit/named_instrument.hpp"
+#include "fit/preset.hpp"
 #include "fit/settings.hpp"
 #include "measurements/quality_checks.hpp"
 #include "study/cube_plan.hpp"
@@ -64,6 +65,14 @@ std::optional<std::string> read_instrument(const Json& json, const std::filesyst
     // A file lies relative to the study; anything else is the name of an instrument.
     const std::filesystem::path file = folder / instrument;
     return std::filesystem::exists(file) && !std::filesystem::is_directory(file) ? file.string() : instrument;
+}
+
+/// Pixels of images are fitted by plain least squares, without the priors and the discrepancy of preset skin.
+Configuration fit_configuration(const Study& study, const std::string& where) {
+    const Configuration of_paper = default_study_configuration();
+    if (!study.cubes.empty()) return configured(of_paper, study.fit, where);
+    const Configuration measured = configured(measured_configuration(), study.fit, where);
+    return measured.preset == Preset::paper ? configured(of_paper, study.fit, where) : measured;
 }
 
 /// Findings are named as `skinfit inspect` names them; a name that no check has would change nothing.
@@ -121,7 +130,7 @@ Study parse_study(std::string_view text, const std::filesystem::path& path, cons
     check_map_names(study.cubes, where);
     study.fit = read_settings(json, folder);
     study.instrument = read_instrument(json, folder, where);
-    study.configuration = configured(default_study_configuration(), study.fit, where + ".fit");
+    study.configuration = fit_configuration(study, where + ".fit");
     if (study.instrument) {
         study.configuration.instrument = find_instrument(*study.instrument, where + ".instrument");
     }

@@ -48,7 +48,7 @@ Html summary(const StudyResults& results) {
     if (!results.cubes.empty()) table.rows.push_back(count_row(escaped("pixels"), results.counts.pixels));
     return html_table(table) +
            paragraph(
-               "Fitted: with a trustworthy answer. Suspect: with an answer and reasons to doubt it. Rejected: not "
+               "Fitted: with a consistent answer. Suspect: with an answer and reasons to doubt it. Rejected: not "
                "fitted, since a check of the spectrum says that no fit could be trusted. Failed: without an answer.");
 }
 

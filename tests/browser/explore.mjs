@@ -165,7 +165,7 @@ onPage("shows absorption and sensitivity, the tabs by arrow keys", async (page) 
 
 onPage("overlays a dropped file, fits it, compares fits and takes one over", async (page) => {
     await fitSpecimen(page);
-    assert.match(await news(page).textContent(), /^fit 1: (trustworthy|suspect)$/);
+    assert.match(await news(page).textContent(), /^fit 1: (consistent|suspect)$/);
     await page.getByText("How it is fitted").click();
     await page.getByLabel("allow for the model").check();
     await page.getByRole("button", {name: "Fit", exact: true}).click();
@@ -345,7 +345,7 @@ onPage("offers no engine that cannot fit", async (page) => {
 
 onPage("shows names of files as text, and writes out what is not to be seen", async (page) => {
     const name = "<img src=x onerror=alert(1)>";
-    const hostile = `${name}\u202e\u001b[31m\nverdict: trustworthy`;
+    const hostile = `${name}\u202e\u001b[31m\nverdict: consistent`;
     const spectrum = JSON.stringify({name: hostile, wavelength_nm: [400, 450, 500, 550, 600, 650, 700], values: [0.1, 0.2, 0.3, 0.3, 0.4, 0.5, 0.5], unit: "fraction"});
     await drop(page, `<b>a</b>\u0007\u202e.json`, spectrum);
     await page.locator(".file").waitFor();
@@ -353,7 +353,7 @@ onPage("shows names of files as text, and writes out what is not to be seen", as
     await page.getByRole("table", {name: "Fitted values"}).waitFor({timeout: 120_000});
     const text = await page.locator("body").evaluate((body) => body.textContent);
     assert.ok(!/[\u0000-\u0008\u000b-\u001f\u007f-\u009f\u202a-\u202e]/.test(text), JSON.stringify(text.match(/.{9}[\u0000-\u0008\u000b-\u001f\u202e].{9}/)));
-    assert.ok(text.includes(`${name}\\u202e\\x1b[31m\\nverdict: trustworthy`));
+    assert.ok(text.includes(`${name}\\u202e\\x1b[31m\\nverdict: consistent`));
     assert.ok(text.includes("<b>a</b>\\x07\\u202e.json"));
     assert.equal(await page.locator("img, .file b, .comparison b, .u-legend b").count(), 0);
     await drop(page, "<i>bad</i>\u001b.txt", "dear diary\n");
@@ -416,7 +416,7 @@ onPage("exports the report of a fit, a page that stands on its own", async (page
         report.on("console", (message) => { if (message.type() === "error") complaints.push(message.text()); });
         report.on("request", (request) => { if (!/^(file|data):/.test(request.url())) complaints.push(request.url()); });
         await report.goto(`file://${path}`);
-        assert.match(await report.locator(".badge").first().textContent(), /^(trustworthy|suspect)$/);
+        assert.match(await report.locator(".badge").first().textContent(), /^(consistent|suspect)$/);
         const spectrum = report.getByRole("img", {name: /^Measured and modelled reflectance/});
         assert.ok(await spectrum.evaluate((image) => image.complete && image.naturalWidth > 100));
         // Its own style holds: the policy inside it allows that, and no other applies to a saved file.

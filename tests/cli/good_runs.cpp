@@ -48,7 +48,7 @@ TEST_F(GoodRuns, ExitCodeFollowsTheVerdict) {
     // Of noise much larger than the misfit nothing is suspect; of far too small noise the misfit is.
     Arguments arguments = {"fit",       specimen, "--set",
                            "rays=2000", "--fix",  "reticular_blood_fraction,oxygen_saturation,bilirubin_g_per_l"};
-    EXPECT_NE(output_of(joined(arguments, {"--set", "noise=0.1"})).find("verdict: trustworthy"), std::string::npos);
+    EXPECT_NE(output_of(joined(arguments, {"--set", "noise=0.1"})).find("verdict: consistent"), std::string::npos);
     EXPECT_NE(output_of(joined(arguments, {"--set", "noise=0.0001"}), 1).find("verdict: SUSPECT"), std::string::npos);
 }
 
@@ -57,7 +57,7 @@ TEST_F(GoodRuns, JsonIsPureAndItsConfigurationGivesItAgain) {
     EXPECT_LE(first.exit_code, 1);
     EXPECT_EQ(first.err, "");
     const Json json = Json::parse(first.out);
-    EXPECT_EQ(json["verdict"] == "trustworthy", first.exit_code == 0);
+    EXPECT_EQ(json["verdict"] == "consistent", first.exit_code == 0);
     put("result.json", first.out);
     EXPECT_EQ(run({"fit", specimen, "--config", "result.json", "--format", "json"}).out, first.out);
     put("configuration.json", json["configuration"].dump());

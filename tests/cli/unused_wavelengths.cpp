@@ -50,7 +50,7 @@ protected:
 };
 
 void expect_truth(const Json& result) {
-    EXPECT_EQ(result["verdict"], "trustworthy") << result["reasons"];
+    EXPECT_EQ(result["verdict"], "consistent") << result["reasons"];
     for (const auto& [name, truth] : {std::pair{"melanosome_fraction", 0.045},
                                       {"papillary_blood_fraction", 0.03},
                                       {"oxygen_saturation", 0.75},

@@ -88,7 +88,7 @@ TEST_F(VocabularyRuns, EveryColumnIsAWordOfIt) {
 }
 
 TEST_F(VocabularyRuns, DescribeSaysWhatAnyOfThemMeans) {
-    for (const std::string name : {"bilirubin_g_per_l", "engine", "runs_p_value"}) {
+    for (const std::string name : {"bilirubin_g_per_l", "engine", "slow_residuals_p_value"}) {
         const Outcome outcome = run({"describe", name});
         EXPECT_EQ(outcome.exit_code, 0);
         EXPECT_THAT(outcome.out, testing::StartsWith(name + ": ")) << outcome.err;

@@ -42,8 +42,8 @@ FitResult all_fixed() {
     result.degrees_of_freedom = 26;
     result.p_value = 0.26;
     result.inflation = 1.0786;
-    result.runs_p_value = 0.4;
-    result.unexplained = 1.01;
+    result.slow_residuals_p_value = 0.4;
+    result.unexplained_rmse = 0.00512;
     result.median_sigma = 0.006;
     result.monte_carlo_error = 0.00042;
     result.spectra.push_back({.name = "Forearm 7",
@@ -140,7 +140,7 @@ FitResult example_result() {
     return result;
 }
 
-FitResult trustworthy_result() {
+FitResult good_result() {
     FitResult result = all_fixed();
     make_free(result, Parameter::melanosome_fraction, 0.0234567, plain(0.00123, 0.000045, {0.02104, 0.02587}));
     result.correlation = Eigen::MatrixXd::Identity(1, 1);
@@ -183,7 +183,7 @@ FitResult profiled_result() {
 }
 
 FitResult sampled_result() {
-    FitResult result = trustworthy_result();
+    FitResult result = good_result();
     result.configuration.uncertainty = UncertaintyMethod::posterior;
     result.posterior = {.marginals = {{.median = 0.023501,
                                        .mean = 0.02352,

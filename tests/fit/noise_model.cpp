@@ -3,13 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
-#include <bit>
 #include <cmath>
 #include <limits>
 
 #include "core/input_error.hpp"
 #include "fit/loss.hpp"
-#include "fit/runs_test.hpp"
 
 namespace skinfit::test {
 namespace {
@@ -147,38 +145,6 @@ TEST(Loss, SlopeIsTheDerivative) {
             EXPECT_NEAR(softened(r, loss, c).slope, difference, 2 * h * h + 40 * epsilon / h) << r;
         }
     }
-}
-
-/// By trying all orders of the signs.
-double counted_p_value(const std::vector<double>& residuals) {
-    const auto runs_of = [](unsigned bits, std::size_t n) {
-        int runs = 1;
-        for (std::size_t i = 1; i < n; ++i) runs += ((bits >> i) & 1U) != ((bits >> (i - 1)) & 1U) ? 1 : 0;
-        return runs;
-    };
-    unsigned own = 0;
-    for (std::size_t i = 0; i < residuals.size(); ++i) own |= residuals[i] > 0 ? 1U << i : 0U;
-    int all = 0;
-    int as_few = 0;
-    for (unsigned bits = 0; bits < 1U << residuals.size(); ++bits) {
-        if (std::popcount(bits) != std::popcount(own)) continue;
-        ++all;
-        as_few += runs_of(bits, residuals.size()) <= runs_of(own, residuals.size()) ? 1 : 0;
-    }
-    return static_cast<double>(as_few) / all;
-}
-
-TEST(RunsTest, CountsAllOrdersOfTheSigns) {
-    for (const std::vector<double>& residuals :
-         std::vector<std::vector<double>>{{1, -1},
-                                          {1, 1, 1, -1, -1, -1},
-                                          {1, -1, 1, -1, 1, -1, 1},
-                                          {-1, 2, 3, -4, -5},
-                                          {1, 1, 1, 1, 1, -1, -1, -1, 1, 1, -1, -1},
-                                          {1, 1, -1, 1, 1}}) {
-        EXPECT_NEAR(*runs_p_value(residuals), counted_p_value(residuals), 1e3 * epsilon);
-    }
-    EXPECT_FALSE(runs_p_value(std::vector<double>{1, 2, 3}));
 }
 
 }  // namespace

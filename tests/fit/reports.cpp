@@ -30,7 +30,7 @@ TEST(TextReport, ShowsEveryStatus) {
 }
 
 TEST(TextReport, SaysLittleWhereAllIsWell) {
-    expect_golden(text_report(trustworthy_result()), "trustworthy.txt");
+    expect_golden(text_report(good_result()), "consistent.txt");
 }
 
 TEST(TextReport, ShowsHowThePosteriorWasSampled) {
@@ -68,7 +68,7 @@ TEST(TextReport, SaysWhatACostIs) {
     result.configuration.weights.resize(2);
     result.priors.clear();
     EXPECT_EQ(cost_words(result), "chi2 with loss huber, with weights in 2 ranges");
-    EXPECT_EQ(cost_name(trustworthy_result()), "chi2");
+    EXPECT_EQ(cost_name(good_result()), "chi2");
 }
 
 TEST(TextReport, LinesEndWithoutBlanks) {

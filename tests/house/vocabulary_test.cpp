@@ -105,7 +105,7 @@ TEST(Vocabulary, HoldsNoWordThatIsNotUsed) {
 
 TEST(Vocabulary, HoldsWhatResultsAndFindingsAreCalled) {
     const Names known = known_names();
-    std::vector<std::string_view> words = {"trustworthy"};
+    std::vector<std::string_view> words = {"consistent"};
     for (const std::string_view word : fit_status_names) words.push_back(word);
     for (const std::string_view word : pixel_reason_names) words.push_back(word);
     for (const std::string_view word : quality_check_names) words.push_back(word);

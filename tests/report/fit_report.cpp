@@ -22,7 +22,7 @@ bool holds(const std::string& text, const std::string& part) {
 
 TEST(FitReport, IsWellFormedForEveryKindOfResult) {
     for (const FitResult& result :
-         {test::example_result(), test::trustworthy_result(), test::sampled_result(), test::profiled_result()}) {
+         {test::example_result(), test::good_result(), test::sampled_result(), test::profiled_result()}) {
         EXPECT_EQ(test::tag_complaint(report_of(result)), "");
     }
 }
@@ -32,7 +32,7 @@ TEST(FitReport, IsAFunctionOfItsInput) {
 }
 
 TEST(FitReport, EscapesWhatFilesSay) {
-    FitResult result = test::trustworthy_result();
+    FitResult result = test::good_result();
     result.spectra.front().name = hostile;
     result.spectra.front().source = hostile;
     result.reasons = {hostile};
@@ -48,14 +48,14 @@ TEST(FitReport, SaysTheVerdictBeforeTheFirstSection) {
     const std::size_t verdict = report.find("<span class=\"badge doubtful\">suspect</span>");
     ASSERT_NE(verdict, std::string::npos);
     EXPECT_LT(verdict, report.find("<h2"));
-    EXPECT_TRUE(holds(report_of(test::trustworthy_result()), "<span class=\"badge good\">trustworthy</span>"));
-    FitResult failed = test::trustworthy_result();
+    EXPECT_TRUE(holds(report_of(test::good_result()), "<span class=\"badge good\">consistent</span>"));
+    FitResult failed = test::good_result();
     failed.verdict = Verdict::failed;
     EXPECT_TRUE(holds(report_of(failed), "<span class=\"badge bad\">failed</span>"));
 }
 
 TEST(FitReport, SaysWhyASpectrumHasNoColour) {
-    FitResult result = test::trustworthy_result();
+    FitResult result = test::good_result();
     EXPECT_TRUE(holds(report_of(result), "CIEDE2000 between the two"));
     result.spectra.front().wavelength_nm = {450, 550, 700};
     EXPECT_TRUE(holds(report_of(result), "do not reach from 420 to 680 nm"));
@@ -68,11 +68,11 @@ TEST(FitReport, MarksWhatIsAtABoundOrNotIdentifiable) {
     for (const char* remark : {"AT UPPER BOUND", "AT LOWER BOUND", "NOT IDENTIFIABLE", "WEAK"}) {
         EXPECT_TRUE(holds(report, remark)) << remark;
     }
-    EXPECT_FALSE(holds(report_of(test::trustworthy_result()), "BOUND"));
+    EXPECT_FALSE(holds(report_of(test::good_result()), "BOUND"));
 }
 
 TEST(FitReport, SaysWhereItComesFrom) {
-    const FitResult result = test::trustworthy_result();
+    const FitResult result = test::good_result();
     const std::string by_command = report_of(result);
     EXPECT_TRUE(holds(by_command, "<dt>command</dt>"));
     EXPECT_FALSE(holds(by_command, "<dt>made by</dt>"));

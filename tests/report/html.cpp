@@ -71,7 +71,7 @@ TEST(Badge, SaysGoodOfAnAnswerAndBadOfNone) {
         return badge(word).markup ==
                "<span class=\"badge " + std::string(meaning) + "\">" + std::string(word) + "</span>";
     };
-    EXPECT_TRUE(is_said("trustworthy", "good"));
+    EXPECT_TRUE(is_said("consistent", "good"));
     EXPECT_TRUE(is_said("fitted", "good"));
     EXPECT_TRUE(is_said("suspect", "doubtful"));
     EXPECT_TRUE(is_said("failed", "bad"));

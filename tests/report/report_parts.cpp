@@ -99,7 +99,7 @@ TEST(FittedExperiment, HasTheFittedValuesAndTheFixedOnes) {
 }
 
 TEST(FittedExperiment, GivesAParameterOfItsOwnToItsSpectrumAlone) {
-    FitResult result = test::trustworthy_result();
+    FitResult result = test::good_result();
     result.spectra.push_back(result.spectra.front());
     for (std::size_t k = 0; k < 2; ++k) {
         FittedParameter own = result.free.front();
@@ -133,14 +133,14 @@ TEST(Histogram, CountsEveryValueOnce) {
 }
 
 TEST(Colour, OfEqualSpectraDoesNotDiffer) {
-    FittedSpectrum spectrum = test::trustworthy_result().spectra.front();
+    FittedSpectrum spectrum = test::good_result().spectra.front();
     EXPECT_GT(fitted_colour(spectrum).ciede2000, 0.0);
     spectrum.modelled = spectrum.measured;
     EXPECT_EQ(fitted_colour(spectrum).ciede2000, 0.0);
 }
 
 TEST(Colour, OfAGreyIsItsLightness) {
-    FittedSpectrum spectrum = test::trustworthy_result().spectra.front();
+    FittedSpectrum spectrum = test::good_result().spectra.front();
     spectrum.modelled = {0.25, 0.25, 0.25};
     const SpectrumColour grey = fitted_colour(spectrum).modelled;
     EXPECT_NEAR(grey.lab.l, 116.0 * std::cbrt(0.25) - 16.0, 1e-9);  // CIE 1976, Y = 25

@@ -48,7 +48,7 @@ namespace skinfit::test {
                   .configuration_hash = "settings",
                   .studied = {}};
     row.studied.status = FitStatus::fitted;
-    row.studied.verdict = "trustworthy";
+    row.studied.verdict = "consistent";
     row.studied.parameters = {std::move(estimate)};
     return row;
 }
