@@ -22,8 +22,8 @@ namespace skinfit {
                                                                     const std::vector<ForwardModel>& models,
                                                                     const Minimum& minimum);
 
-/// The answers that move out of their intervals under an alternative that predicts bands left out clearly better than the
-/// fit itself, with an error smaller by a fifth or more: places in `OtherAssumptions::answers`.
+/// The answers that move out of their intervals under an alternative that predicts bands left out clearly better than
+/// the fit itself, with an error smaller by a fifth or more: places in `OtherAssumptions::answers`.
 [[nodiscard]] std::vector<std::size_t> answers_moved(const OtherAssumptions& assumptions,
                                                      const OtherAssumptions::Alternative& alternative);
 

@@ -43,7 +43,7 @@ std::string remark_on_status(Status status) {
 
 std::string remark_on(const FittedParameter& free) {
     const ParameterUncertainty& uncertainty = free.uncertainty;
-    std::string remark = is_upper_limit(free) ? "UPPER LIMIT" : remark_on_status(uncertainty.status);
+    std::string remark = is_upper_limit(free) ? "NONE FOUND" : remark_on_status(uncertainty.status);
     if (!uncertainty.decided_by_prior) return remark;
     return remark + (remark.empty() ? "" : ", ") + "DECIDED BY ITS PRIOR";
 }

@@ -124,7 +124,8 @@ std::optional<std::string> label_in(const std::string& line) {
     const std::size_t colon = line.find(": ");
     const std::size_t begin = line.find_first_not_of(" -");
     if (colon == std::string::npos || begin > colon) return std::nullopt;
-    const std::string label = line.substr(begin, colon - begin);
+    std::string label = line.substr(begin, colon - begin);
+    if (label.starts_with("note ")) label.erase(0, 5);  // of a finding
     const bool is_head_of_table = label.find("  ") != std::string::npos;
     if (is_head_of_table || label.find_first_of("(,;=") != std::string::npos) return std::nullopt;
     return label;

@@ -49,12 +49,12 @@ TEST_F(StudyFiles, HoldsWhatItsFileSays) {
   "group_by": ["site", "visit"],
   "repeats_of": "subject",
   "indicators": [
-    {"name": "jaundiced", "parameter": "bilirubin_g_per_l", "above": 0.1, "source": "the example",
+    {"name": "jaundiced", "parameter": "dermal_bilirubin_g_per_l", "above": 0.1, "source": "the example",
      "prevalence": 0.5},
     {"name": "pale", "index": "melanin_index", "below": {"same": "subject", "where": {"site": "arm"}}, "source": "x"}],
   "assess": [
     {"indicator": "jaundiced", "label": "ill", "positive": "yes", "thresholds": [0.2, 0.8]},
-    {"parameter": "bilirubin_g_per_l", "reference": "serum"}],
+    {"parameter": "dermal_bilirubin_g_per_l", "reference": "serum"}],
   "output": "out"})");
     EXPECT_EQ(study.name, "jaundice");
     ASSERT_EQ(study.files.size(), 2U);
@@ -85,6 +85,23 @@ TEST_F(StudyFiles, HoldsWhatItsFileSays) {
     EXPECT_FALSE(study.assessments[1].is_indicator);
     EXPECT_EQ(study.assessments[1].metadata, "serum");
     EXPECT_EQ(study.output, in_folder("out"));
+}
+
+TEST_F(StudyFiles, SpectraBeginWithPresetSkinAndImagesWithThePapers) {
+    const auto configuration = [this](const std::string& input, const std::string& fit) {
+        return parsed("{\"inputs\": [" + input + "], \"fit\": " + fit + R"(, "output": "out"})").configuration;
+    };
+    const Configuration skin = configuration(R"("a.csv")", "{}");
+    EXPECT_EQ(skin.preset, Preset::skin);
+    EXPECT_TRUE(skin.discrepancy);
+    const Configuration paper = configuration(R"("a.csv")", R"({"preset": "paper"})");
+    EXPECT_EQ(paper.preset, Preset::paper);
+    EXPECT_EQ(paper.engine, Engine::emulator);
+    EXPECT_FALSE(paper.discrepancy);
+    EXPECT_EQ(configuration(R"("a.csv")", R"({"preset": "paper", "engine": "paths"})").engine, Engine::paths);
+    const Configuration image = configuration(R"({"cube": "image.hdr"})", "{}");
+    EXPECT_EQ(image.preset, Preset::paper);
+    EXPECT_EQ(image.engine, Engine::emulator);
 }
 
 TEST_F(StudyFiles, ThresholdsDefaultToOneHalfAndTheNameToTheFile) {
