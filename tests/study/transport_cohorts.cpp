@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/stop.hpp"
+#include "model/constants.hpp"
 #include "study/manifest.hpp"
 #include "study/planned_study.hpp"
 #include "study/transport_plan.hpp"
@@ -69,7 +70,8 @@ TEST(TransportCohorts, ReadWhatTheTransportOfTheirSkinsReads) {
         skins.push_back(skin);
     }
     const SkinReadings readings = skin_spectra(skins, cohort.wavelength_nm,
-                                               {.gatherings = {{.spot_radius_cm = 0.25, .port_radius_cm = 0.25}},
+                                               {.incidence_rad = 8 * rad_per_deg,
+                                                .gatherings = {{.spot_radius_cm = 0.25, .port_radius_cm = 0.25}},
                                                 .photons = 1000,
                                                 .seed = 5,
                                                 .node_ratio = 1.35});
