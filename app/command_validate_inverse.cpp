@@ -125,6 +125,18 @@ int run_by_model(const ValidateInverseCommand& command, Session& session) {
     return passes(summary) ? trustworthy_result : result_with_warning;
 }
 
+/// Which skins the transport takes, and through what.
+void add_transport_options(CLI::App& inverse, ValidateInverseCommand& command) {
+    inverse
+        .add_option("--cohort", command.cohort,
+                    "by transport: natural, factorial, or a cohort file as of study simulate; natural if not given")
+        ->type_name("NAME|FILE");
+    inverse
+        .add_option("--port-diameter-mm", command.port_diameter_mm,
+                    "by transport: of the disc that is lit and collected from; the cohort's if not given")
+        ->type_name("MM");
+}
+
 }  // namespace
 
 void add_validate_inverse_command(CLI::App& validate, Session& session) {
@@ -158,14 +170,7 @@ void add_validate_inverse_command(CLI::App& validate, Session& session) {
             "the preset skin"),
         {"solver", "emulator", "walk", "paths", "transport"})
         ->capture_default_str();
-    inverse
-        ->add_option("--cohort", command->cohort,
-                     "by transport: natural, factorial, or a cohort file as of study simulate; natural if not given")
-        ->type_name("NAME|FILE");
-    inverse
-        ->add_option("--port-diameter-mm", command->port_diameter_mm,
-                     "by transport: of the disc that is lit and collected from; the cohort's if not given")
-        ->type_name("MM");
+    add_transport_options(*inverse, *command);
     inverse
         ->add_option("--intervals", command->intervals,
                      "kinds of interval to compute; covariance,profile,posterior if not given")
