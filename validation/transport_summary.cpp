@@ -211,6 +211,10 @@ void add_order(const Compared& of, double least_rank, const Bounds& slope, Trans
                               .sigma = {},
                               .interval_95 = {}});
     }
+    if (truths.empty()) return;
+    const auto [least, most] = std::ranges::minmax(truths);
+    constexpr double rounding = 1e-9;  // truths that differ by less are one
+    if (most - least <= rounding * most) return;
     const std::vector<double> true_ranks = ranks_of(truths);
     const std::vector<double> ranks = ranks_of(estimates);
     std::vector<ReferencePair> ranked;

@@ -105,6 +105,15 @@ TEST(TransportSummary, FailsAtWhatIsWrongAndSaysSo) {
     expect(study, "dermal_hemoglobin_umol_per_l", "rank_correlation", "all");
 }
 
+TEST(TransportSummary, TruthsThatDifferByRoundingHaveNoOrder) {
+    TransportStudy study = study_of(0.05);
+    for (std::size_t k = 0; k < study.fits.size(); ++k)
+        study.fits[k].truth[3] = k % 3 == 0 ? 100.0 : std::nextafter(100.0, 200.0);
+    for (const JudgedFigure& each : summarised(study).figures) {
+        EXPECT_FALSE(each.quantity == "dermal_hemoglobin_umol_per_l" && each.figure != "coverage") << each.figure;
+    }
+}
+
 TEST(TransportSummary, WhatIsNotEstimatedIsNotJudged) {
     TransportStudy study = study_of(0.05);
     for (TransportFit& each : study.fits) each.estimate = {};
