@@ -35,6 +35,7 @@ TEST(TransportCohorts, ScatteringAndSkinHaveTheStatedDistributionsAndNoShiftedOn
     Json json = transport_cohort_json();
     json["groups"] = Json::array({{{"name", "all"}, {"subjects", 1500}}});
     json["wavelengths"] = "600,640,650";
+    json.erase("labels");
     const SimulatedCohort cohort = simulated(json);
     const auto check = [&cohort](const auto& value, const auto& share, double shift) {
         EXPECT_GT(p_value(cohort, value, share), passing_p_value);
