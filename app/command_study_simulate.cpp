@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "app/commands.hpp"
 #include "app/option_limits.hpp"
 #include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
+#include "app/transport_watch.hpp"
 #include "core/file.hpp"
+#include "core/stop.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/json_reading.hpp"
 #include "study/cohort_folder.hpp"
@@ -48,17 +51,32 @@ std::string summary(const Cohort& cohort, const SimulatedCohort& simulated, cons
     return text + fmt::format("written to {}: spectra.csv, manifest.csv, cohort.json, study.json\n", folder.string());
 }
 
+/// Nothing where Ctrl-C ended the layered transport, which takes minutes.
+std::optional<SimulatedCohort> simulated_cohort(const Cohort& cohort, const StudySimulateCommand& command,
+                                                Session& session, ProgressLine& line) {
+    SimulationWatch watch;
+    if (cohort.transport) watch = transport_watch(cohort, session, line);
+    try {
+        return simulate(cohort, cache_from(command.shared, line), watch);
+    } catch (const Cancelled&) {
+        line.end();
+        line.tell("interrupted; nothing was written");
+        return std::nullopt;
+    }
+}
+
 int run(const StudySimulateCommand& command, Session& session) {
     const Cohort cohort = cohort_of(command);
     make_output_folder(command.output);
     const bool replaces = holds_earlier_cohort(command.output, command.cohort);
     const auto limit = thread_limit(command.shared);
     ProgressLine line(session, "simulating");
-    const SimulatedCohort simulated = simulate(cohort, cache_from(command.shared, line));
-    write_cohort(cohort, simulated, command.output);
+    const std::optional<SimulatedCohort> simulated = simulated_cohort(cohort, command, session, line);
+    if (!simulated) return session.interrupt.exit_code();
+    write_cohort(cohort, *simulated, command.output);
     line.end();
     if (replaces) line.tell(fmt::format("note: replaced the earlier cohort in {}", command.output.string()));
-    write_stdout(summary(cohort, simulated, command.output));
+    write_stdout(summary(cohort, *simulated, command.output));
     return good_result;
 }
 

@@ -6,6 +6,7 @@
 #include "app/progress_line.hpp"
 #include "app/shared_options.hpp"
 #include "app/terminal.hpp"
+#include "app/validate_by_transport.hpp"
 #include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "core/text.hpp"
@@ -21,11 +22,13 @@ namespace {
 struct ValidateInverseCommand {
     SharedOptions shared;
     std::filesystem::path output = "inverse_validation";
-    std::uint64_t spectra = 1000;
+    std::optional<std::uint64_t> spectra;
     std::string seed;
     std::string engine;
     std::string simulate_by = "solver";
-    std::string intervals = "covariance,profile,posterior";
+    std::string intervals;
+    std::string cohort;
+    std::optional<double> port_diameter_mm;
     std::vector<std::string> free;
     std::vector<std::string> fix;
 };
@@ -51,13 +54,37 @@ std::array<bool, uncertainty_method_count> chosen_intervals(const std::string& n
     return chosen;
 }
 
-int run(const ValidateInverseCommand& command, Session& session) {
+void refuse_option(const std::string& option, const std::string& why, const std::string& remedy) {
+    throw InputError({.where = option, .problem = "cannot be used here", .why = why, .remedy = remedy});
+}
+
+int run_by_transport(const ValidateInverseCommand& command, Session& session) {
+    if (!command.intervals.empty()) {
+        refuse_option("--intervals", "with --simulate-by transport each spectrum is fitted once",
+                      "leave it out, or choose one kind by --set uncertainty=posterior");
+    }
+    return validate_by_transport({.shared = command.shared,
+                                  .output = command.output,
+                                  .cohort = command.cohort.empty() ? "natural" : command.cohort,
+                                  .spectra = command.spectra,
+                                  .port_diameter_mm = command.port_diameter_mm,
+                                  .seed = command.seed,
+                                  .engine = command.engine,
+                                  .free = command.free,
+                                  .fix = command.fix},
+                                 session);
+}
+
+int run_by_model(const ValidateInverseCommand& command, Session& session) {
+    const std::string by_model = "the engines of the model draw their skins from the priors and have no port";
+    if (!command.cohort.empty()) refuse_option("--cohort", by_model, "add --simulate-by transport");
+    if (command.port_diameter_mm) refuse_option("--port-diameter-mm", by_model, "add --simulate-by transport");
     const Configuration configuration = configuration_of(command);
     const Engine simulator =
         configured_by_word(default_configuration(), "engine", command.simulate_by, "--simulate-by").engine;
     RecoveryDesign design;
-    design.spectra = command.spectra;
-    design.intervals = chosen_intervals(command.intervals);
+    design.spectra = command.spectra.value_or(design.spectra);
+    design.intervals = chosen_intervals(command.intervals.empty() ? "covariance,profile,posterior" : command.intervals);
     check_freedom(configuration, "free");  // before a folder is made
     make_output_folder(command.output);
     require_gnuplot();
@@ -82,6 +109,7 @@ int run(const ValidateInverseCommand& command, Session& session) {
     write_file_atomically(command.output / "recovery.csv", recovery_csv(study.spectra, study.free));
     Json json = recovery_json(summary);
     json["simulated_by"] = command.simulate_by;
+    json["knows_model"] = true;
     json["configuration"] = to_json(configuration);
     const std::string text = json_text(json);
     write_file_atomically(command.output / "summary.json", text);
@@ -97,6 +125,18 @@ int run(const ValidateInverseCommand& command, Session& session) {
     return passes(summary) ? good_result : result_with_warning;
 }
 
+/// Which skins the transport takes, and through what.
+void add_transport_options(CLI::App& inverse, ValidateInverseCommand& command) {
+    inverse
+        .add_option("--cohort", command.cohort,
+                    "by transport: natural, factorial, or a cohort file as of study simulate; natural if not given")
+        ->type_name("NAME|FILE");
+    inverse
+        .add_option("--port-diameter-mm", command.port_diameter_mm,
+                    "by transport: of the disc that is lit and collected from; the cohort's if not given")
+        ->type_name("MM");
+}
+
 }  // namespace
 
 void add_validate_inverse_command(CLI::App& validate, Session& session) {
@@ -109,24 +149,32 @@ void add_validate_inverse_command(CLI::App& validate, Session& session) {
         fmt::format("fit synthetic spectra of known skin, and count how often intervals cover it; unless configured, "
                     "their noise is {}, and {} to {} of the epidermis are melanosomes, {} to {} of the dermis blood",
                     defaults.noise.value(), melanosomes.lower, melanosomes.upper, blood.lower, blood.upper));
-    inverse->add_option("--output", command->output, "folder for recovery.csv, two pictures and summary.json")
+    inverse
+        ->add_option(
+            "--output", command->output,
+            "folder for recovery.csv, two pictures and summary.json; by transport transport.csv and summary.json")
         ->type_name("FOLDER")
         ->capture_default_str();
-    whole_number(inverse->add_option("--spectra", command->spectra, "how many skins are drawn from the priors"), 1,
-                 1'000'000)
-        ->capture_default_str();
+    whole_number(inverse->add_option("--spectra", command->spectra,
+                                     "how many skins are drawn; 1000 from the priors, as many as the cohort has"),
+                 1, 1'000'000);
     inverse->add_option("--seed", command->seed, "of skins, noise, starts and chains; 1 if not configured")
         ->type_name("N");
     inverse->add_option("--engine", command->engine, "of the fits; emulator if not configured")
         ->type_name("emulator|paths|solver");
-    one_of(inverse->add_option(
-               "--simulate-by", command->simulate_by,
-               "engine of the spectra: solver, emulator, walk, or paths, whose walks have another seed than the fits'"),
-           {"solver", "emulator", "walk", "paths"})
+    one_of(
+        inverse->add_option(
+            "--simulate-by", command->simulate_by,
+            "what makes the spectra. Engines of the model: solver, emulator, walk, or paths, whose walks have another "
+            "seed than the fits'. transport: another physics, a layered Monte Carlo of a cohort of skins, fitted by "
+            "the preset skin"),
+        {"solver", "emulator", "walk", "paths", "transport"})
         ->capture_default_str();
-    inverse->add_option("--intervals", command->intervals, "kinds of interval to compute")
-        ->type_name("KIND,KIND")
-        ->capture_default_str();
+    add_transport_options(*inverse, *command);
+    inverse
+        ->add_option("--intervals", command->intervals,
+                     "kinds of interval to compute; covariance,profile,posterior if not given")
+        ->type_name("KIND,KIND");
     add_names_option(*inverse, "--free", command->free, "adjust these parameters too, beside those that are free");
     add_names_option(*inverse, "--fix", command->fix, "hold these parameters at their configured value");
     add_configuration_options(*inverse, command->shared, "priors=uniform");
@@ -137,9 +185,13 @@ void add_validate_inverse_command(CLI::App& validate, Session& session) {
     add_examples(
         *inverse,
         {"skinfit validate inverse --spectra 20 --intervals covariance",
+         "skinfit validate inverse --simulate-by transport --cohort factorial --output transport",
          "skinfit validate inverse --spectra 200 --intervals covariance,profile --set noise=0.006 --output recovery"},
         "Exit code 0: the study passes; 1: something failed; 2: bad input; 3: internal error; 130: ended by Ctrl-C.");
-    inverse->callback([command, &session] { session.exit_code = run(*command, session); });
+    inverse->callback([command, &session] {
+        session.exit_code =
+            command->simulate_by == "transport" ? run_by_transport(*command, session) : run_by_model(*command, session);
+    });
 }
 
 }  // namespace skinfit

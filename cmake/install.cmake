@@ -23,7 +23,7 @@ configure_file(cmake/package/copyright.in copyright @ONLY)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS LICENSE)
 install(FILES ${PROJECT_BINARY_DIR}/copyright DESTINATION ${doc_folder} COMPONENT program)
 
-foreach(name IN ITEMS core model measurements fit report)
+foreach(name IN ITEMS core model transport measurements fit report)
   set_target_properties(skinfit_${name} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS skinfit_${name} EXPORT skinfitTargets
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development

@@ -136,6 +136,10 @@ bool is_adjusted(const FitResult& result, const TissueQuantity& quantity, double
 
 }  // namespace
 
+std::span<const TissueQuantity> tissue_quantities() {
+    return quantities;
+}
+
 std::vector<TissueEstimate> tissue_estimates(const FitResult& result) {
     constexpr int all_layers = 4;
     const bool has_dermis = result.spectra.front().configuration.layers == all_layers;

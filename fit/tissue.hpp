@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct TissueQuantity {
     std::string_view unit;
     double (*value)(const Skin&);
 };
+
+/// All of them.
+[[nodiscard]] std::span<const TissueQuantity> tissue_quantities();
 
 /// One of them with its 95 % interval.
 struct TissueEstimate {

@@ -40,9 +40,35 @@ void refuse_misplaced(const std::string& key, const std::string& where) {
 
 constexpr double cohort_noise = 0.003;  // where the cohort states none, fraction
 
+/// What a model's settings say that the layered transport has not.
+void refuse_beside_transport(const Json& model, const std::string& where) {
+    for (const auto& [key, value] : model.items()) {
+        if (key == "parameters" || std::ranges::find(reading_settings(), key) != reading_settings().end()) {
+            continue;
+        }
+        throw InputError({.where = where + "." + key,
+                          .problem = "cannot stand beside \"transport\"",
+                          .why = "the layered transport makes the spectra, not an engine of the model",
+                          .remedy = "leave it out"});
+    }
+    if (!model.contains("parameters")) return;
+    for (const auto& [name, value] : model["parameters"].items()) {
+        check_transport_parameter(name, where + ".parameters");
+    }
+}
+
+void refuse_bandpass(const Configuration& configuration, const std::string& where) {
+    const std::optional<Bandpass> band = bandpass_of(resolved(configuration));
+    if (!band) return;
+    refuse(where + ".bandpass_width_nm", band->width_nm, "the layered transport reads single wavelengths",
+           "set it to 0, or take an instrument without one");
+}
+
 Configuration read_model(const Json& json, const std::string& where) {
     Configuration configuration = default_configuration();
     configuration.engine = Engine::solver;
+    const bool by_transport = json.contains("transport");
+    if (by_transport) configuration = with_layered_skin(std::move(configuration));
     configuration.free.fill(false);
     for (const char* key : {"seed", "wavelengths", "noise", "discrepancy"}) {
         if (json.contains(key)) configuration = configured(std::move(configuration), {{key, json[key]}}, where);
@@ -52,10 +78,12 @@ Configuration read_model(const Json& json, const std::string& where) {
         const std::string here = where + ": model";
         require_object(json["model"], here, cohort_example);
         for (const auto& [key, value] : json["model"].items()) refuse_misplaced(key, here);
+        if (by_transport) refuse_beside_transport(json["model"], here);
         std::vector<std::string_view> known(model_settings().begin(), model_settings().end());
         known.emplace_back("parameters");
         require_names(json["model"], known, {{}, "", cohort_example}, here);
         configuration = configured(std::move(configuration), json["model"], here);
+        if (by_transport) refuse_bandpass(configuration, here);
     }
     if (configuration.engine == Engine::walk) {
         refuse(where + ": model.engine", "walk", "its noise would come on top of that of the instrument",
@@ -76,8 +104,10 @@ Json entry(const Json& json, const char* key, const Json& otherwise) {
     return json.contains(key) ? json[key] : otherwise;
 }
 
-void check_draws(const CohortGroup& group, const std::string& where) {
-    if (free_parameters(group.configuration).empty()) {
+void check_draws(const Cohort& cohort, const CohortGroup& group, const std::string& where) {
+    const bool scatters = cohort.transport && (cohort.transport->scattering_at_500_nm_per_cm.varies() ||
+                                               cohort.transport->scattering_power.varies());
+    if (free_parameters(group.configuration).empty() && !scatters) {
         throw InputError({.where = where,
                           .problem = "nothing is drawn",
                           .why = "all of its subjects would be one",
@@ -99,6 +129,12 @@ void take_metadata(Cohort& cohort, CohortGroup& group, const Json& metadata, con
     }
 }
 
+void check_population(const Cohort& cohort, const Json& population, const std::string& where) {
+    (void)with_population(cohort.configuration, population, where);
+    if (!cohort.transport) return;
+    for (const auto& [name, value] : population.items()) check_transport_parameter(name, where);
+}
+
 CohortGroup read_group(Cohort& cohort, const Json& json, const Json& population, const std::string& where) {
     constexpr std::uint64_t most_subjects = 1'000'000;
     require_names(json, {"name", "subjects", "population", "metadata"},
@@ -112,9 +148,9 @@ CohortGroup read_group(Cohort& cohort, const Json& json, const Json& population,
     }
     const Json own = entry(json, "population", Json::object());
     // On its own first, so that a mistake is reported where it was made.
-    (void)with_population(cohort.configuration, own, where + ".population");
+    check_population(cohort, own, where + ".population");
     group.configuration = with_population(cohort.configuration, changed_population(population, own), where);
-    check_draws(group, where);
+    check_draws(cohort, group, where);
     take_metadata(cohort, group, entry(json, "metadata", Json::object()), where + ".metadata");
     return group;
 }
@@ -157,8 +193,18 @@ Json resolved_json(const Cohort& cohort, const Json& json) {
     if (json.contains("description")) resolved["description"] = json["description"];
     for (const char* key : {"seed", "wavelengths", "noise", "discrepancy"}) resolved[key] = all[key];
     resolved["repeats"] = cohort.repeats;
-    for (const std::string_view key : model_settings()) resolved["model"][std::string(key)] = all[std::string(key)];
+    const auto keys = cohort.transport ? reading_settings() : model_settings();
+    for (const std::string_view key : keys) resolved["model"][std::string(key)] = all[std::string(key)];
     resolved["model"]["parameters"] = all["parameters"];
+    if (cohort.transport) {
+        Json shared;
+        for (const Parameter parameter : transport_parameters()) {
+            const std::string name(info(parameter).name);
+            shared[name] = all["parameters"][name];
+        }
+        resolved["model"]["parameters"] = shared;
+        resolved["transport"] = to_json(*cohort.transport);
+    }
     for (const char* key : {"population", "groups", "labels", "study", "sources"}) {
         if (json.contains(key)) resolved[key] = json[key];
     }
@@ -176,7 +222,7 @@ Cohort read_cohort(const Json& json, const std::string& where) {
     constexpr std::uint64_t most_repeats = 1000;
     require_names(json,
                   {"name", "description", "seed", "wavelengths", "noise", "discrepancy", "repeats", "model",
-                   "population", "groups", "labels", "study", "sources"},
+                   "transport", "population", "groups", "labels", "study", "sources"},
                   {{"name", "groups"}, "a cohort cannot do without it", cohort_example}, where);
     for (const char* key : {"population", "labels", "study", "sources"}) {
         if (json.contains(key)) require_object(json[key], where + ": " + key, cohort_example);
@@ -187,18 +233,20 @@ Cohort read_cohort(const Json& json, const std::string& where) {
     Cohort cohort{.name = read_cell(json["name"], where + ": name"),
                   .repeats = read_count(entry(json, "repeats", 1), 1, most_repeats, where + ": repeats"),
                   .configuration = read_model(json, where),
+                  .transport = {},
                   .groups = {},
                   .metadata_names = {},
                   .labels = {},
                   .study = entry(json, "study", Json::object()),
                   .resolved = {}};
+    if (json.contains("transport")) cohort.transport = read_transport_plan(json["transport"], where + ": transport");
     const Json sources = entry(json, "sources", Json::object());
     for (const auto& [key, source] : sources.items()) {
         if (!source.is_string())
             refuse(fmt::format("{}: sources.{}", where, key), source, "text is needed", "say where it comes from");
     }
     const Json population = entry(json, "population", Json::object());
-    (void)with_population(cohort.configuration, population, where + ": population");
+    check_population(cohort, population, where + ": population");
     for (const Json& group : json["groups"]) {
         const std::string here = fmt::format("{}: groups[{}]", where, cohort.groups.size());
         cohort.groups.push_back(read_group(cohort, group, population, here));

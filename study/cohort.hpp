@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/json.hpp"
 #include "fit/configuration.hpp"
+#include "study/transport_plan.hpp"
 
 namespace skinfit {
 
@@ -35,6 +37,7 @@ struct Cohort {
     std::string name;
     std::uint64_t repeats;                    ///< measurements of each subject
     Configuration configuration;              ///< what the groups have in common: model, noise, wavelengths, seed
+    std::optional<TransportPlan> transport;   ///< that makes the spectra in place of an engine of the model
     std::vector<CohortGroup> groups;          ///< at least one, of different names
     std::vector<std::string> metadata_names;  ///< in the order of their first appearance
     std::vector<CohortLabel> labels;

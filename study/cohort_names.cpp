@@ -14,6 +14,12 @@ std::span<const std::string_view> model_settings() {
     return names;
 }
 
+std::span<const std::string_view> reading_settings() {
+    static constexpr std::array<std::string_view, 5> names = {"incidence_deg", "specular", "viewing_cone_deg",
+                                                              "instrument", "bandpass_width_nm"};
+    return names;
+}
+
 std::string read_cell(const Json& value, const std::string& where) {
     constexpr std::size_t longest = 100;
     const std::string remedy = "give a short name of letters, digits, blanks, _ and -";

@@ -11,6 +11,9 @@ namespace skinfit {
 /// The settings of a configuration that a simulation depends on and that the cohort does not state itself.
 [[nodiscard]] std::span<const std::string_view> model_settings();
 
+/// Those of them that say how a reading is taken, whatever makes the spectra.
+[[nodiscard]] std::span<const std::string_view> reading_settings();
+
 /// Text that can stand in a cell of a table as it is. Throws InputError, naming `where`, for anything else.
 [[nodiscard]] std::string read_cell(const Json& value, const std::string& where);
 

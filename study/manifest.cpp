@@ -28,6 +28,7 @@ std::string description(const Cohort& cohort) {
     };
     put("quantity", quantity_names[static_cast<std::size_t>(complete.quantity)]);
     put("unit", "fraction");
+    if (cohort.transport && cohort.transport->port_diameter_mm) put("aperture_mm", *cohort.transport->port_diameter_mm);
     put("incidence_deg", complete.incidence_deg);
     put("specular", specular_names[static_cast<std::size_t>(complete.specular)]);
     if (complete.viewing_cone_deg) put("viewing_cone_deg", *complete.viewing_cone_deg);
@@ -47,6 +48,12 @@ std::vector<std::string> manifest_columns(const Cohort& cohort) {
     for (const Parameter parameter : varying_parameters(cohort)) {
         columns.push_back(fmt::format("true_{}", info(parameter).name));
     }
+    if (cohort.transport && cohort.transport->scattering_at_500_nm_per_cm.varies()) {
+        columns.emplace_back("true_scattering_at_500_nm_per_cm");
+    }
+    if (cohort.transport && cohort.transport->scattering_power.varies()) {
+        columns.emplace_back("true_scattering_power");
+    }
     return columns;
 }
 
@@ -59,6 +66,12 @@ std::string manifest_csv(const Cohort& cohort, const SimulatedCohort& simulated)
         for (const std::string& cell : group.metadata) truth += "," + cell;
         for (const CohortLabel& label : cohort.labels) truth += label.holds(subject.values) ? ",yes" : ",no";
         for (const Parameter parameter : varying) truth += fmt::format(",{}", value_of(subject.values, parameter));
+        if (cohort.transport && cohort.transport->scattering_at_500_nm_per_cm.varies()) {
+            truth += fmt::format(",{}", subject.scattering->at_500_nm_per_cm);
+        }
+        if (cohort.transport && cohort.transport->scattering_power.varies()) {
+            truth += fmt::format(",{}", subject.scattering->power);
+        }
         for (std::size_t repeat = 1; repeat <= subject.reading.size(); ++repeat) {
             text += fmt::format("{},{},{},{},{}\n", spectra_file, spectrum_name(cohort, subject, repeat),
                                 subject_name(cohort, subject), repeat, truth);

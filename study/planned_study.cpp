@@ -9,6 +9,7 @@
 #include "fit/configuration_json.hpp"
 #include "fit/json_reading.hpp"
 #include "fit/measurement.hpp"
+#include "fit/preset.hpp"
 #include "fit/prior_json.hpp"
 #include "model/emulator.hpp"
 #include "study/manifest.hpp"
@@ -48,9 +49,17 @@ bool is_drawn_alike(const Cohort& cohort, std::size_t place) {
     });
 }
 
+/// Whether a fit can be held against the truth of it: of what the layered transport has, that which means the same in
+/// the model.
+bool can_be_assessed(const Cohort& cohort, Parameter parameter) {
+    return !cohort.transport || parameter == Parameter::oxygen_saturation ||
+           parameter == Parameter::dermal_bilirubin_g_per_l;
+}
+
 Json indicators(const Cohort& cohort) {
     Json list = Json::array();
     for (const CohortLabel& label : cohort.labels) {
+        if (!can_be_assessed(cohort, label.parameter)) continue;
         list.push_back({{"name", label.name},
                         {"parameter", info(label.parameter).name},
                         {label.above ? "above" : "below", label.limit},
@@ -62,13 +71,32 @@ Json indicators(const Cohort& cohort) {
 Json assessments(const Cohort& cohort) {
     Json list = Json::array();
     for (const CohortLabel& label : cohort.labels) {
+        if (!can_be_assessed(cohort, label.parameter)) continue;
         list.push_back({{"indicator", label.name}, {"label", label.name}, {"positive", "yes"}});
     }
     for (const Parameter parameter : varying_parameters(cohort)) {
+        if (!can_be_assessed(cohort, parameter)) continue;
         const std::string_view name = info(parameter).name;
         list.push_back({{"parameter", name}, {"reference", fmt::format("true_{}", name)}});
     }
     return list;
+}
+
+/// The preset for measured skin, told how the spectra were measured and nothing of the skin.
+Configuration fit_of_another_physics(const Cohort& cohort) {
+    Configuration fit = with_preset(default_configuration(), Preset::skin);
+    const Configuration& made = cohort.configuration;
+    fit.instrument = made.instrument;
+    fit.incidence_deg = made.incidence_deg;
+    fit.specular = made.specular;
+    fit.viewing_cone_deg = made.viewing_cone_deg;
+    fit.noise = made.noise;
+    fit.seed = made.seed;
+    fit.wavelengths = made.wavelengths;
+    fit.wavelength_min_nm = made.wavelength_min_nm;
+    fit.wavelength_max_nm = made.wavelength_max_nm;
+    if (resolved(fit).viewing_cone_deg) fit.engine = Engine::solver;
+    return fit;
 }
 
 }  // namespace
@@ -100,6 +128,7 @@ void check_study(const Cohort& cohort, const std::string& where) {
 }
 
 Configuration planned_fit(const Cohort& cohort) {
+    if (cohort.transport) return fit_of_another_physics(cohort);
     const Configuration& first = cohort.groups.front().configuration;
     Configuration fit = first;
     fit.engine = resolved(fit).viewing_cone_deg ? Engine::solver : Engine::emulator;

@@ -102,10 +102,12 @@ std::string recovery_csv(const std::vector<RecoveredSpectrum>& spectra, const st
 }
 
 std::string recovery_text(const RecoverySummary& summary) {
-    std::string text =
-        fmt::format("verdict: {}\n{} spectra: {} not converged, {} posteriors not mixed, {} with divergences\n\n",
-                    passes(summary) ? "passes" : "FAILS", summary.spectra, summary.not_converged, summary.not_mixed,
-                    summary.diverged);
+    std::string text = fmt::format(
+        "verdict: {}\n{} spectra: {} not converged, {} posteriors not mixed, {} with divergences\n"
+        "The fits know what made the spectra: their own model, its priors and its noise. This tests searches and\n"
+        "intervals, not the model; `--simulate-by transport` does, by spectra of another physics.\n\n",
+        passes(summary) ? "passes" : "FAILS", summary.spectra, summary.not_converged, summary.not_mixed,
+        summary.diverged);
     text += agreement_line("searches that end within 1e-3 of the lowest cost known", summary.best_minimum);
     text += agreement_line("Ceres and BOBYQA end at the same cost, to 1e-6 of it", summary.solvers_cost);
     text += agreement_line("and at the same parameters, to 0.05 sigma", summary.solvers_parameters);

@@ -75,6 +75,61 @@ TEST_F(ValidationRuns, ARecoveryStudyRefusesBadOptions) {
     expect_refusal({"validate", "inverse", "--set", "discrepancy={}"}, "discrepancy: no recovery study with one");
 }
 
+TEST_F(ValidationRuns, AStudyByTransportSaysThatItDoesNotKnowTheModelAndARecoveryStudyThatItDoes) {
+    put("cohort.json", R"({
+        "name": "few", "wavelengths": "500:650:25",
+        "transport": {"photons": 1000},
+        "population": {"oxygen_saturation": {"kind": "uniform", "lower": 0.3, "upper": 0.9},
+                       "dermal_bilirubin_g_per_l": 0},
+        "groups": [{"name": "a", "subjects": 6}]
+    })");
+    const Arguments fixed = {"--fix", "fibril_radius_nm,lateral_loss_per_cm,melanin_slope"};
+    Arguments words = {"validate", "inverse",     "--simulate-by", "transport",
+                       "--cohort", "cohort.json", "--spectra",     "5"};
+    words.insert(words.end(), fixed.begin(), fixed.end());
+    const Outcome text = run(words);
+    EXPECT_LE(text.exit_code, 1) << text.err;
+    EXPECT_TRUE(text.out.starts_with(text.exit_code == 0 ? "verdict: passes\n5 spectra" : "verdict: FAILS\n5 spectra"))
+        << text.out;
+    EXPECT_NE(text.out.find("The fits do not know what made the spectra"), std::string::npos) << text.out;
+    words.insert(words.end(), {"--format", "json", "--port-diameter-mm", "5", "--output", "port"});
+    const Outcome port = run(words);
+    EXPECT_EQ(port.out, read_file(folder() / "port/summary.json"));
+    EXPECT_TRUE(exists("port/transport.csv"));
+    const Json json = Json::parse(port.out);
+    EXPECT_EQ(json["knows_model"], false);
+    EXPECT_EQ(json["simulation"]["transport"]["port_diameter_mm"], 5.0);
+    EXPECT_NE(read_file(folder() / "port/transport.csv"), read_file(folder() / "inverse_validation/transport.csv"));
+    words.back() = "one";
+    words.insert(words.end(), {"--threads", "1"});
+    EXPECT_EQ(run(words).out, port.out);
+    EXPECT_EQ(read_file(folder() / "one/transport.csv"), read_file(folder() / "port/transport.csv"));
+
+    const Outcome known =
+        run({"validate", "inverse", "--spectra", "1", "--simulate-by", "emulator", "--intervals", "covariance", "--fix",
+             "papillary_blood_fraction,bilirubin_g_per_l", "--output", "known"});
+    EXPECT_NE(known.out.find("The fits know what made the spectra"), std::string::npos) << known.out << known.err;
+    EXPECT_EQ(Json::parse(read_file(folder() / "known/summary.json"))["knows_model"], true);
+}
+
+TEST_F(ValidationRuns, AStudyByTransportRefusesBadOptions) {
+    expect_refusal({"validate", "inverse", "--cohort", "natural"}, "--cohort: cannot be used here");
+    expect_refusal({"validate", "inverse", "--port-diameter-mm", "5"}, "--port-diameter-mm: cannot be used here");
+    const auto by_transport = [](Arguments more) {
+        Arguments words = {"validate", "inverse", "--simulate-by", "transport"};
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    };
+    expect_refusal(by_transport({"--intervals", "profile"}), "--intervals: cannot be used here");
+    expect_refusal(by_transport({"--cohort", "natrual"}), "natrual");
+    expect_refusal(by_transport({"--port-diameter-mm", "-1"}), "port_diameter_mm: -1");
+    expect_refusal(by_transport({"--set", "viewing_cone_deg=25"}), "viewing_cone_deg");
+    put("model.json", R"({"name": "m", "population": {"oxygen_saturation": {"kind": "uniform"}},
+                          "groups": [{"name": "a", "subjects": 2}]})");
+    expect_refusal(by_transport({"--cohort", "model.json"}), "model.json: is no cohort by transport");
+    EXPECT_FALSE(exists("inverse_validation"));
+}
+
 TEST_F(ValidationRuns, BadOptionsAreRefusedBeforeTheWork) {
     expect_refusal({"validate", "forward", "--figures", "5,1"}, "no figure \"1\" (there are figures 2 to 10)");
     expect_refusal({"validate", "forward", "--figures", "five"}, "no figure \"five\"");

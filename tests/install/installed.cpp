@@ -79,6 +79,8 @@ TEST_F(Installed, TheExampleStudyRunsInACopy) {
 TEST_F(Installed, AnotherProjectFindsTheLibraries) {
     const Outcome installed = install_build(prefix());
     ASSERT_EQ(installed.exit_code, 0) << installed.err;
+    for (const std::string header : {"fit/fit.hpp", "transport/skin_spectra.hpp"})
+        EXPECT_TRUE(std::filesystem::exists(prefix() / "include/skinfit" / header)) << header;
     const std::filesystem::path build = folder() / "build";
     const Outcome built = build_project(projects / "headers", build, prefix());
     ASSERT_EQ(built.exit_code, 0) << built.out << built.err;
