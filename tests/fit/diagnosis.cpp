@@ -165,9 +165,9 @@ TEST(Diagnosis, RunsBeyondADiscrepancyAreNotToldToSetOne) {
 TEST(Diagnosis, ADepartureBeyondWhatMeasuredSpectraShow) {
     FitResult result = good_result();
     result.configuration.discrepancy = Discrepancy{.sigma = 0.01};
-    result.departure_rms = 0.0174;
+    result.departure_rms = 0.0154;
     expect_trusted(result);
-    result.departure_rms = 0.0176;
+    result.departure_rms = 0.0156;
     expect_only(result, "UNUSUAL DEPARTURE");
     result.configuration.discrepancy.reset();
     expect_trusted(result);
