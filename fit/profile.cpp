@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 // moves that end by less than 0.002 sigma.
 constexpr double cost_tolerance = 0.01;
 
-double normal_share_below(double x) {
+double standard_normal_below(double x) {
     return 0.5 * std::erfc(-x / std::sqrt(2.0));
 }
 
@@ -161,7 +161,7 @@ double critical_root(double distance) {
     // A measurement below the bound, too, excludes the value once it is `reach` below it.
     const auto covered = [distance](double root) {
         const double reach = root <= distance ? root : (distance * distance + root * root) / (2.0 * distance);
-        return normal_share_below(root) - normal_share_below(-reach);
+        return standard_normal_below(root) - normal_share_below(-reach);
     };
     double low = 1.6;
     double high = normal_95;

@@ -1,6 +1,7 @@
 #include "core/version.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/inspection.hpp"
+#include "fit/model_split.hpp"
 #include "fit/report.hpp"
 #include "fit/tissue.hpp"
 
@@ -96,7 +97,19 @@ Json tissue_json(const FitResult& result) {
             {{"name", each.quantity->name},
              {"value", each.value},
              {"unit", each.quantity->unit},
+             {"calibrated", each.is_calibrated},
              {"interval_95", each.interval_95 ? Json{each.interval_95->lower, each.interval_95->upper} : Json()}});
+    }
+    return json;
+}
+
+Json splits_json(const std::vector<ModelSplit>& splits) {
+    Json json = Json::array();
+    for (const ModelSplit& each : splits) {
+        json.push_back({{"parameters", {each.first, each.second}},
+                        {"correlation", each.correlation},
+                        {"use", each.use},
+                        {"message", in_words(each)}});
     }
     return json;
 }
@@ -148,6 +161,7 @@ Json json_report(const FitResult& result) {
                  {"solver_error", or_null(result.solver_error)},
                  {"parameters", parameters_json(result)},
                  {"tissue", tissue_json(result)},
+                 {"split_by_model", splits_json(model_splits(result))},
                  {"correlation", correlation_json(result)},
                  {"uncertainty", uncertainty_json(result)},
                  {"solution", answer_json(result, result.answer, solver_name(result.answer.solver))}};
