@@ -7,7 +7,7 @@ import {Settings, type Change} from "./parameters";
 import {counted, inWords, shown, withInterval, withSigma} from "./scale";
 import {Scrolled} from "./scrolled";
 import {configurationOf, withFitted, type Model} from "./state";
-import type {FitState, FittedParameter, Json, Report, Vocabulary} from "./types";
+import type {FitState, FittedParameter, Json, Report, TissueEstimate, Vocabulary} from "./types";
 import {listed, shortened, visible} from "./words";
 
 /// A fit that runs or has run.
@@ -177,7 +177,7 @@ function DifferenceRows({fits}: {fits: Fit[]}) {
 function Comparison({vocabulary, model, change, setFiles, fits, setFits, say, onError}: FitsProps) {
     const rows = [...new Set(fits.flatMap(({report}) =>
         Object.entries(report!.parameters).filter(([, {status}]) => status !== "fixed").map(([name]) => name)))];
-    const tissueRows = [...new Map(fits.flatMap(({report}) => report!.tissue.map((each) => [each.name, each]))).values()];
+    const tissueRows = [...new Map(fits.flatMap(({report}) => report!.tissue.map((each): [string, TissueEstimate] => [each.name, each]))).values()];
     const unitOf = (name: string) => vocabulary.parameters.find((each) => each.name === name)?.unit ?? "";
     const toSliders = ({report, measurement, files}: Fit) => {
         change(withFitted(model, report!, measurement));
