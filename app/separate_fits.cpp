@@ -5,8 +5,10 @@
 #include <algorithm>
 
 #include "app/session.hpp"
+#include "fit/model_split.hpp"
 #include "fit/parameter_words.hpp"
 #include "fit/report.hpp"
+#include "fit/tissue.hpp"
 
 namespace skinfit {
 namespace {
@@ -30,6 +32,24 @@ std::string cell(const FitResult& result, Parameter parameter) {
     if (found == result.free.end()) return "-";
     const ParameterWords words = parameter_words(*found);
     return fmt::format("{} +/- {}{}{}", words.value, words.sigma, words.remark.empty() ? "" : " ", words.remark);
+}
+
+/// The quantities of the tissue that any of the fits tells, in the order of their table.
+std::vector<const TissueQuantity*> told(std::span<const std::vector<TissueEstimate>> estimates) {
+    std::vector<const TissueQuantity*> quantities;
+    for (const TissueQuantity& quantity : tissue_quantities()) {
+        const bool is_told = std::ranges::any_of(estimates, [&](const std::vector<TissueEstimate>& each) {
+            return std::ranges::find(each, &quantity, &TissueEstimate::quantity) != each.end();
+        });
+        if (is_told) quantities.push_back(&quantity);
+    }
+    return quantities;
+}
+
+/// "12.3 (8.1 to 17)"; "-" where it is not told.
+std::string cell(const std::vector<TissueEstimate>& estimates, const TissueQuantity* quantity) {
+    const auto found = std::ranges::find(estimates, quantity, &TissueEstimate::quantity);
+    return found == estimates.end() ? "-" : fmt::format("{:.3g} ({})", found->value, interval_words(*found));
 }
 
 std::vector<std::string> row_of(const SeparateFit& fit, std::span<const Parameter> parameters) {
@@ -66,14 +86,24 @@ std::string separate_fits_text(std::span<const SeparateFit> fits) {
         const ParameterInfo& row = info(parameter);
         rows.front().push_back(std::string(row.name));
     }
-    for (const SeparateFit& fit : fits) rows.push_back(row_of(fit, parameters));
+    std::vector<std::vector<TissueEstimate>> tissue;
+    for (const SeparateFit& fit : fits) {
+        rows.push_back(row_of(fit, parameters));
+        tissue.push_back(fit.result ? tissue_estimates(*fit.result) : std::vector<TissueEstimate>());
+    }
+    for (const TissueQuantity* const quantity : told(tissue)) {
+        rows.front().emplace_back(quantity->name);
+        for (std::size_t i = 0; i < tissue.size(); ++i) rows[i + 1].push_back(cell(tissue[i], quantity));
+    }
     std::string text = fmt::format("{} spectra, each fitted by itself; --joint explains all by one specimen\n\n{}\n",
                                    fits.size(), aligned(rows));
     for (const SeparateFit& fit : fits) {
         if (!fit.result) text += fmt::format("{}\n", fit.problem);
-        if (!fit.result || fit.result->reasons.empty()) continue;
-        text += fmt::format("{}:\n", fit.file);
-        for (const std::string& reason : fit.result->reasons) text += fmt::format("  - {}\n", reason);
+        if (!fit.result) continue;
+        std::vector<std::string> remarks = fit.result->reasons;
+        for (const ModelSplit& split : model_splits(*fit.result)) remarks.push_back(in_words(split));
+        if (!remarks.empty()) text += fmt::format("{}:\n", fit.file);
+        for (const std::string& remark : remarks) text += fmt::format("  - {}\n", remark);
     }
     return text;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "core/input_error.hpp"
@@ -118,7 +119,7 @@ std::vector<Assumption> assumptions() {
 /// What should not depend on the assumptions, among what the fit adjusts.
 struct Answers {
     std::vector<Parameter> parameters;
-    std::vector<const TissueQuantity*> tissue;
+    std::vector<double (*)(const Skin&)> tissue;
 };
 
 Answers answers_of(const FitResult& result, OtherAssumptions& others) {
@@ -133,7 +134,7 @@ Answers answers_of(const FitResult& result, OtherAssumptions& others) {
         const bool is_repeated = each.quantity->name == "epidermal_melanin_optical_depth" ||
                                  each.quantity->name == "tissue_bilirubin_umol_per_l";
         if (is_repeated || !each.interval_95) continue;
-        answers.tissue.push_back(each.quantity);
+        answers.tissue.push_back(each.value_of);
         others.answers.push_back({std::string(each.quantity->name), each.value, *each.interval_95});
     }
     return answers;
@@ -142,7 +143,7 @@ Answers answers_of(const FitResult& result, OtherAssumptions& others) {
 std::vector<double> values_of(const Answers& answers, const ParameterValues& at) {
     std::vector<double> values;
     for (const Parameter parameter : answers.parameters) values.push_back(value_of(at, parameter));
-    for (const TissueQuantity* const quantity : answers.tissue) values.push_back(quantity->value(at.skin));
+    for (const auto value_of_skin : answers.tissue) values.push_back(value_of_skin(at.skin));
     return values;
 }
 
@@ -193,7 +194,7 @@ std::vector<std::size_t> answers_moved(const OtherAssumptions& assumptions,
     for (std::size_t i = 0; i < alternative.values.size(); ++i) {
         const Bounds& interval = assumptions.answers[i].interval_95;
         const double value = alternative.values[i];
-        if (value < interval.lower || value > interval.upper) moved.push_back(i);
+        if (std::isfinite(value) && (value < interval.lower || value > interval.upper)) moved.push_back(i);
     }
     return moved;
 }

@@ -1,6 +1,9 @@
+#include <cmath>
+
 #include "core/version.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/inspection.hpp"
+#include "fit/model_split.hpp"
 #include "fit/report.hpp"
 #include "fit/tissue.hpp"
 
@@ -44,13 +47,18 @@ Json correlation_json(const FitResult& result) {
     return {{"parameters", names}, {"matrix", matrix}};
 }
 
+Json finite_or_null(double value) {
+    return std::isfinite(value) ? Json(value) : Json();
+}
+
 Json other_assumptions_json(const FitResult& result) {
     if (!result.other_assumptions) return {};
     const OtherAssumptions& others = *result.other_assumptions;
     Json alternatives = Json::array();
     for (const OtherAssumptions::Alternative& each : others.alternatives) {
         Json answers;
-        for (std::size_t i = 0; i < others.answers.size(); ++i) answers[others.answers[i].name] = each.values[i];
+        for (std::size_t i = 0; i < others.answers.size(); ++i)
+            answers[others.answers[i].name] = finite_or_null(each.values[i]);
         alternatives.push_back(
             {{"assumption", each.assumption}, {"left_out_rmse", each.left_out_rmse}, {"answers", answers}});
     }
@@ -109,7 +117,19 @@ Json tissue_json(const FitResult& result) {
             {{"name", each.quantity->name},
              {"value", each.value},
              {"unit", each.quantity->unit},
+             {"calibrated", each.is_calibrated},
              {"interval_95", each.interval_95 ? Json{each.interval_95->lower, each.interval_95->upper} : Json()}});
+    }
+    return json;
+}
+
+Json splits_json(const std::vector<ModelSplit>& splits) {
+    Json json = Json::array();
+    for (const ModelSplit& each : splits) {
+        json.push_back({{"parameters", {each.first, each.second}},
+                        {"correlation", each.correlation},
+                        {"use", each.use},
+                        {"message", in_words(each)}});
     }
     return json;
 }
@@ -162,6 +182,7 @@ Json json_report(const FitResult& result) {
                  {"solver_error", or_null(result.solver_error)},
                  {"parameters", parameters_json(result)},
                  {"tissue", tissue_json(result)},
+                 {"split_by_model", splits_json(model_splits(result))},
                  {"other_assumptions", other_assumptions_json(result)},
                  {"correlation", correlation_json(result)},
                  {"uncertainty", uncertainty_json(result)},

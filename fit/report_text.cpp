@@ -7,6 +7,7 @@
 #include "fit/configuration_json.hpp"
 #include "fit/inspection.hpp"
 #include "fit/measurement.hpp"
+#include "fit/model_split.hpp"
 #include "fit/parameter_words.hpp"
 #include "fit/report.hpp"
 #include "fit/tissue.hpp"
@@ -34,11 +35,11 @@ std::string tissue_text(const FitResult& result) {
     if (estimates.empty()) return "";
     std::string text = fmt::format("  {:<33} {:>12}   {:<22}{}\n", "in the tissue", "value", "95 % interval", "unit");
     for (const TissueEstimate& each : estimates) {
-        const std::string interval =
-            each.interval_95 ? fmt::format("{:.3g} to {:.3g}", each.interval_95->lower, each.interval_95->upper) : "-";
-        text += fmt::format("  {:<33} {:>12.3g}   {:<22}{}\n", each.quantity->name, each.value, interval,
+        text += fmt::format("  {:<33} {:>12.3g}   {:<22}{}\n", each.quantity->name, each.value, interval_words(each),
                             each.quantity->unit.empty() ? "-" : each.quantity->unit);
     }
+    if (const std::string words = calibration_words(estimates); !words.empty()) text += fmt::format("  {}\n", words);
+    for (const ModelSplit& split : model_splits(result)) text += fmt::format("  {}\n", in_words(split));
     return text + "\n";
 }
 
@@ -121,7 +122,9 @@ std::string other_assumptions_text(const FitResult& result) {
     const auto row = [&](std::string_view assumption, double error, const auto& value_of) {
         std::string text = fmt::format("  {:<33} {:>12.4f}", assumption, error);
         for (std::size_t i = 0; i < others.answers.size(); ++i) {
-            text += fmt::format("  {:>{}.3g}", value_of(i), others.answers[i].name.size());
+            const double value = value_of(i);
+            const std::string shown = std::isfinite(value) ? fmt::format("{:.3g}", value) : "-";
+            text += fmt::format("  {:>{}}", shown, others.answers[i].name.size());
         }
         return text + "\n";
     };

@@ -64,7 +64,7 @@ struct OtherAssumptions {
     struct Alternative {
         std::string assumption;      ///< in words
         double left_out_rmse;        ///< `left_out_rmse` under it
-        std::vector<double> values;  ///< in the order of `answers`
+        std::vector<double> values;  ///< in the order of `answers`; not finite where it does not have one
     };
     std::vector<Answer> answers;
     double left_out_rmse = 0.0;  ///< of the fit itself

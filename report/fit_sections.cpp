@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "fit/configuration_json.hpp"
+#include "fit/model_split.hpp"
 #include "fit/parameter_words.hpp"
 #include "fit/report.hpp"
+#include "fit/tissue.hpp"
 #include "report/fit_picture.hpp"
 #include "report/html_figure.hpp"
 #include "report/html_table.hpp"
@@ -112,9 +115,32 @@ Html other_assumptions_table(const OtherAssumptions& others) {
     table.rows.push_back(std::move(fitted));
     for (const OtherAssumptions::Alternative& each : others.alternatives) {
         table.rows.push_back(row(each.assumption, each.left_out_rmse));
-        for (const double value : each.values) table.rows.back().push_back(escaped(fmt::format("{:.3g}", value)));
+        for (const double value : each.values) {
+            table.rows.back().push_back(escaped(std::isfinite(value) ? fmt::format("{:.3g}", value) : "-"));
+        }
     }
     return html_table(table);
+}
+
+/// What does not depend on how the model divides the skin, and where its division is its own.
+Html tissue_part(const FitResult& result) {
+    const std::vector<TissueEstimate> estimates = tissue_estimates(result);
+    if (estimates.empty()) return {};
+    HtmlTable table{.caption = "In the tissue",
+                    .columns = {{.name = "quantity", .cells = Cells::text},
+                                {.name = "value"},
+                                {.name = "95 % interval"},
+                                {.name = "unit", .cells = Cells::text}},
+                    .rows = {}};
+    for (const TissueEstimate& each : estimates) {
+        const std::string_view unit = each.quantity->unit;
+        table.rows.push_back({escaped(std::string(each.quantity->name)), escaped(fmt::format("{:.3g}", each.value)),
+                              escaped(interval_words(each)), escaped(unit.empty() ? "-" : unit)});
+    }
+    Html part = html_table(table);
+    if (const std::string words = calibration_words(estimates); !words.empty()) part += paragraph(words + ".");
+    for (const ModelSplit& split : model_splits(result)) part += paragraph(in_words(split));
+    return part;
 }
 
 }  // namespace
@@ -137,7 +163,7 @@ HtmlSection spectrum_section(const FitResult& result) {
 }
 
 HtmlSection parameter_section(const FitResult& result) {
-    HtmlSection section{.title = "Parameters", .body = free_table(result), .starts_page = true};
+    HtmlSection section{.title = "Parameters", .body = free_table(result) + tissue_part(result), .starts_page = true};
     section.body += paragraph(
         "Sigma is the standard deviation that the measurement's noise causes where the model is right; Monte Carlo the "
         "further error from the finite number of simulated rays. A parameter at a bound, or one that the spectrum does "

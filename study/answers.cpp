@@ -15,6 +15,11 @@ const ParameterEstimate* parameter_of(const LedgerRow& row, const std::string& n
     return found == row.studied.parameters.end() ? nullptr : &*found;
 }
 
+const TissueValue* tissue_of(const LedgerRow& row, const std::string& name) {
+    const auto found = std::ranges::find(row.studied.tissue, name, &TissueValue::name);
+    return found == row.studied.tissue.end() ? nullptr : &*found;
+}
+
 const IndexValue* index_of(const LedgerRow& row, const std::string& name) {
     const auto found = std::ranges::find(row.studied.indices, name, &IndexValue::name);
     return found == row.studied.indices.end() ? nullptr : &*found;
@@ -50,6 +55,10 @@ std::optional<Belief> belief_in(const LedgerRow& row, const std::string& quantit
         if (!marginal) return std::nullopt;
         return Belief{.marginal = *marginal, .decided_by_prior = parameter->decided_by_prior};
     }
+    if (const TissueValue* const tissue = tissue_of(row, quantity)) {
+        const std::optional<MarginalDistribution> marginal = marginal_of(*tissue);
+        return marginal ? std::optional(Belief{.marginal = *marginal, .decided_by_prior = false}) : std::nullopt;
+    }
     if (const IndexValue* const index = index_of(row, quantity)) {
         return Belief{.marginal = marginal_of(*index), .decided_by_prior = false};
     }
@@ -82,7 +91,7 @@ IndicatorAnswer answer(const Indicator& indicator, const LedgerRow& row, const R
     }
     const std::optional<Belief> belief = belief_in(row, indicator.quantity);
     if (!belief) {
-        const bool known = parameter_of(row, indicator.quantity) != nullptr;
+        const bool known = parameter_of(row, indicator.quantity) || tissue_of(row, indicator.quantity);
         return {.probability = {}, .why_none = indicator.quantity + (known ? " is not identifiable" : " is not known")};
     }
     double above = 0.0;
@@ -126,7 +135,8 @@ QuantityEstimate of_posterior(const ParameterEstimate& parameter) {
     return {.value = mean,
             .sigma = std::sqrt(variance),
             .interval_95 = parameter.interval_95,
-            .decided_by_prior = parameter.decided_by_prior};
+            .decided_by_prior = parameter.decided_by_prior,
+            .split_by_model = parameter.split_by_model};
 }
 
 }  // namespace
@@ -153,7 +163,11 @@ std::optional<QuantityEstimate> estimate_of(const LedgerRow& row, const std::str
         return QuantityEstimate{.value = parameter->value,
                                 .sigma = parameter->sigma,
                                 .interval_95 = parameter->interval_95,
-                                .decided_by_prior = parameter->decided_by_prior};
+                                .decided_by_prior = parameter->decided_by_prior,
+                                .split_by_model = parameter->split_by_model};
+    }
+    if (const TissueValue* const tissue = tissue_of(row, quantity)) {
+        return QuantityEstimate{.value = tissue->value, .sigma = {}, .interval_95 = tissue->interval_95};
     }
     if (const IndexValue* const index = index_of(row, quantity)) {
         return QuantityEstimate{.value = index->value, .sigma = index->sigma, .interval_95 = {}};

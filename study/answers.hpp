@@ -31,12 +31,13 @@ struct AnsweredRow {
 /// them. A spectrum without a word for the specimen has none.
 [[nodiscard]] std::vector<AnsweredRow> answered(const Study& study, std::vector<LedgerRow> rows);
 
-/// The estimate of a parameter or index of a spectrum, with its standard deviation where it has one.
+/// The estimate of a parameter, a quantity of the tissue or an index of a spectrum.
 struct QuantityEstimate {
     double value;
-    std::optional<double> sigma;
-    std::optional<Bounds> interval_95;  ///< of a parameter
+    std::optional<double> sigma;        ///< of a parameter or an index, where it has one
+    std::optional<Bounds> interval_95;  ///< of a parameter or a quantity of the tissue
     bool decided_by_prior = false;
+    bool split_by_model = false;
 };
 
 /// Of a sampled posterior its mean and standard deviation, else value and sigma of the fit. None where the spectrum has

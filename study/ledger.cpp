@@ -116,12 +116,13 @@ LedgerRow row_in(const SQLite::Statement& query) {
                     .reason = text(8),
                     .parameters = parameters_from_json(list(9)),
                     .correlation = list(10).get<std::vector<double>>(),
-                    .indices = indices_from_json(list(11)),
-                    .rmse = optional_number(query.getColumn(12)),
-                    .chi2 = optional_number(query.getColumn(13)),
-                    .degrees_of_freedom = optional_number(query.getColumn(14)),
-                    .p_value = optional_number(query.getColumn(15)),
-                    .seconds = query.getColumn(16).getDouble()}};
+                    .tissue = tissue_from_json(list(11)),
+                    .indices = indices_from_json(list(12)),
+                    .rmse = optional_number(query.getColumn(13)),
+                    .chi2 = optional_number(query.getColumn(14)),
+                    .degrees_of_freedom = optional_number(query.getColumn(15)),
+                    .p_value = optional_number(query.getColumn(16)),
+                    .seconds = query.getColumn(17).getDouble()}};
 }
 
 }  // namespace
@@ -153,10 +154,11 @@ RosterChange Ledger::take(const std::vector<RosterEntry>& roster, const std::str
 void Ledger::store(std::span<const Answer> answers) {
     translated(path_, [&] {
         SQLite::Transaction transaction(*database_);
-        SQLite::Statement update(*database_,
-                                 "UPDATE spectra SET status = ?, verdict = ?, reason = ?, parameters = ?, correlation "
-                                 "= ?, indices = ?, rmse = ?, chi2 = ?, degrees_of_freedom = ?, p_value = ?, seconds = "
-                                 "?, finished_at = ? WHERE source = ? AND number = ? AND name = ?");
+        SQLite::Statement update(
+            *database_,
+            "UPDATE spectra SET status = ?, verdict = ?, reason = ?, parameters = ?, correlation "
+            "= ?, tissue = ?, indices = ?, rmse = ?, chi2 = ?, degrees_of_freedom = ?, p_value = ?, seconds = "
+            "?, finished_at = ? WHERE source = ? AND number = ? AND name = ?");
         const std::string time = now();
         for (const auto& [key, studied] : answers) {
             update.reset();
@@ -165,16 +167,17 @@ void Ledger::store(std::span<const Answer> answers) {
             update.bind(3, studied.reason);
             update.bind(4, parameters_json(studied.parameters).dump());
             update.bind(5, Json(studied.correlation).dump());
-            update.bind(6, indices_json(studied.indices).dump());
-            bind_optional(update, 7, studied.rmse);
-            bind_optional(update, 8, studied.chi2);
-            bind_optional(update, 9, studied.degrees_of_freedom);
-            bind_optional(update, 10, studied.p_value);
-            update.bind(11, studied.seconds);
-            update.bind(12, time);
-            update.bind(13, key.source);
-            update.bind(14, static_cast<std::int64_t>(key.number));
-            update.bind(15, key.name);
+            update.bind(6, tissue_json(studied.tissue).dump());
+            update.bind(7, indices_json(studied.indices).dump());
+            bind_optional(update, 8, studied.rmse);
+            bind_optional(update, 9, studied.chi2);
+            bind_optional(update, 10, studied.degrees_of_freedom);
+            bind_optional(update, 11, studied.p_value);
+            update.bind(12, studied.seconds);
+            update.bind(13, time);
+            update.bind(14, key.source);
+            update.bind(15, static_cast<std::int64_t>(key.number));
+            update.bind(16, key.name);
             if (update.exec() != 1) throw std::logic_error("the ledger does not hold " + key.source + " " + key.name);
         }
         transaction.commit();
@@ -214,8 +217,8 @@ void Ledger::for_each(const std::function<void(const LedgerRow&)>& use) const {
     translated(path_, [&] {
         SQLite::Statement query(*database_,
                                 "SELECT source, number, name, metadata, input_hash, configuration_hash, status, "
-                                "verdict, reason, parameters, correlation, indices, rmse, chi2, degrees_of_freedom, "
-                                "p_value, seconds FROM spectra WHERE present ORDER BY position");
+                                "verdict, reason, parameters, correlation, tissue, indices, rmse, chi2, "
+                                "degrees_of_freedom, p_value, seconds FROM spectra WHERE present ORDER BY position");
         while (query.executeStep()) use(understood(path_, [&] { return row_in(query); }));
     });
 }

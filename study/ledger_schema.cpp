@@ -29,6 +29,7 @@ CREATE TABLE spectra (
     reason TEXT NOT NULL DEFAULT '',
     parameters TEXT NOT NULL DEFAULT '[]',
     correlation TEXT NOT NULL DEFAULT '[]',
+    tissue TEXT NOT NULL DEFAULT '[]',
     indices TEXT NOT NULL DEFAULT '[]',
     rmse REAL,
     chi2 REAL,

@@ -10,7 +10,7 @@ class Database;
 namespace skinfit {
 
 /// The version of the tables that this program writes, kept in the database's `user_version`.
-inline constexpr int ledger_schema_version = 1;
+inline constexpr int ledger_schema_version = 2;
 
 /// Marks SQLite files that are ledgers, in the database's `application_id`: "skfi".
 inline constexpr int ledger_application_id = 0x736b6669;

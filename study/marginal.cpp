@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "fit/prior.hpp"
@@ -11,6 +12,7 @@ namespace skinfit {
 namespace {
 
 constexpr std::size_t parts = 200;  // of the probability
+constexpr double far = 6.0;         // standard deviations
 
 /// Quantiles of two half normal distributions, each with its own scale and as much probability as its scale's share,
 /// so that the density is continuous where they meet, cut at `bounds`.
@@ -111,9 +113,28 @@ std::optional<MarginalDistribution> marginal_of(const ParameterEstimate& estimat
     return MarginalDistribution(std::move(*quantiles));
 }
 
+std::optional<MarginalDistribution> marginal_of(const TissueValue& estimate) {
+    if (!estimate.quantiles.empty()) return MarginalDistribution(estimate.quantiles);
+    if (!estimate.interval_95) return std::nullopt;
+    const auto [lower, upper] = *estimate.interval_95;
+    const double two_sided_95 = quantile(boost::math::normal(), 0.975);
+    if (!(estimate.value > 0.0)) {
+        if (!(upper > 0.0)) return std::nullopt;
+        const double above = upper / two_sided_95;
+        return MarginalDistribution(split_normal(0.0, 0.0, above, {.lower = 0.0, .upper = far * above}));
+    }
+    const double centre = std::log(estimate.value);
+    const double above = std::log(upper / estimate.value) / two_sided_95;
+    const double below = lower > 0.0 ? std::log(estimate.value / lower) / two_sided_95 : above;
+    if (!(above > 0.0 && below > 0.0)) return std::nullopt;
+    std::vector<double> quantiles =
+        split_normal(centre, below, above, {.lower = centre - far * below, .upper = centre + far * above});
+    for (double& each : quantiles) each = std::exp(each);
+    return MarginalDistribution(std::move(quantiles));
+}
+
 MarginalDistribution marginal_of(const IndexValue& index) {
     const boost::math::normal distribution(index.value, index.sigma);
-    constexpr double far = 6.0;  // sigmas
     std::vector<double> quantiles = {index.value - far * index.sigma};
     for (std::size_t k = 1; k < parts; ++k) {
         quantiles.push_back(quantile(distribution, static_cast<double>(k) / static_cast<double>(parts)));

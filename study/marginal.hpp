@@ -33,6 +33,11 @@ private:
 /// does not tell.
 [[nodiscard]] std::optional<MarginalDistribution> marginal_of(const ParameterEstimate& estimate);
 
+/// That of a quantity of the tissue: of the posterior where it was sampled, else two halves of normal distributions of
+/// its logarithm, which meet at the value and have the ends of the interval at 1.96 standard deviations; of one that is
+/// zero half a normal distribution, with its limit there. None without an interval.
+[[nodiscard]] std::optional<MarginalDistribution> marginal_of(const TissueValue& estimate);
+
 /// A normal distribution.
 [[nodiscard]] MarginalDistribution marginal_of(const IndexValue& index);
 

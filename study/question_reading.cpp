@@ -10,6 +10,7 @@
 #include "fit/json_reading.hpp"
 #include "fit/name_lists.hpp"
 #include "fit/settings.hpp"
+#include "fit/tissue.hpp"
 #include "model/parameters.hpp"
 #include "study/indices.hpp"
 
@@ -33,13 +34,20 @@ std::vector<std::string_view> index_names() {
     return names;
 }
 
-/// The parameter or the index that an entry is about.
+/// What "parameter" may name: parameters, and what is computed of the tissue from them.
+std::vector<std::string_view> fitted_names() {
+    std::vector<std::string_view> names = parameter_names();
+    for (const TissueQuantity& quantity : tissue_quantities()) names.push_back(quantity.name);
+    return names;
+}
+
+/// The parameter, the quantity of the tissue or the index that an entry is about.
 std::string read_quantity(const Json& json, const std::string& where) {
     if (json.contains("parameter") == json.contains("index")) {
         refuse(where, json, R"(either "parameter" or "index" is needed)", "give one of the two");
     }
     const std::string key = json.contains("parameter") ? "parameter" : "index";
-    const std::vector<std::string_view> known = key == "parameter" ? parameter_names() : index_names();
+    const std::vector<std::string_view> known = key == "parameter" ? fitted_names() : index_names();
     std::string name = word(json, key, where);
     if (std::ranges::find(known, name) == known.end()) refuse_unknown(where + "." + key, name, known);
     return name;
@@ -60,14 +68,15 @@ double read_threshold(const Json& value, const std::string& quantity, const std:
     if (const std::optional<Parameter> parameter = find_parameter(quantity)) {
         return read_number(value, {.lowest = info(*parameter).lowest, .highest = info(*parameter).highest}, where);
     }
-    constexpr double far = 1e6;  // beyond every index
+    constexpr double far = 1e6;  // beyond every index and amount
+    if (find_tissue_quantity(quantity)) return read_number(value, {.lowest = 0.0, .highest = far}, where);
     return read_number(value, {.lowest = -far, .highest = far}, where);
 }
 
 double read_prevalence(const Json& value, const Indicator& indicator, const std::string& where) {
     if (!find_parameter(indicator.quantity) || !indicator.threshold) {
         refuse(where, value, "it takes the place of what a prior says of a threshold; here is none",
-               R"(leave it out, or ask about a "parameter" above or below a number)");
+               R"(leave it out, or ask about a parameter of the skin above or below a number)");
     }
     constexpr double least = 1e-6;  // none and all leave nothing to ask
     return read_number(value, {.lowest = least, .highest = 1.0 - least}, where);
@@ -100,11 +109,20 @@ Indicator read_indicator(const Json& json, const std::string& where) {
 }  // namespace
 
 void check_quantity(const std::string& quantity, const FitSettings& settings, const std::string& where) {
+    if (const TissueQuantity* const tissue = find_tissue_quantity(quantity)) {
+        if (is_adjusted(*tissue, settings)) return;
+        throw InputError(
+            {.where = where,
+             .problem = fmt::format("{} is not adjusted by the fits", quantity),
+             .why = "they hold all that it is computed from, and say nothing about it",
+             .remedy = R"(add what it is computed from to "free" of the study's "fit": `skinfit describe )" + quantity +
+                       "` says what"});
+    }
     const std::optional<Parameter> parameter = find_parameter(quantity);
     if (!parameter) {
         std::vector<std::string_view> known = index_names();
         if (std::ranges::find(known, quantity) != known.end()) return;
-        std::ranges::copy(parameter_names(), std::back_inserter(known));
+        std::ranges::copy(fitted_names(), std::back_inserter(known));
         refuse_unknown(where, quantity, known);
     }
     if (settings.free[static_cast<std::size_t>(*parameter)]) return;

@@ -9,7 +9,9 @@
 #include "core/input_error.hpp"
 #include "fit/fit.hpp"
 #include "fit/inspection.hpp"
+#include "fit/model_split.hpp"
 #include "fit/report.hpp"
+#include "fit/tissue.hpp"
 
 namespace skinfit {
 namespace {
@@ -23,10 +25,9 @@ const Finding* rejecting(const std::vector<Finding>& findings, const std::vector
 }
 
 /// Of the marginal distribution, at 0, 1, ..., 100 %.
-std::vector<double> quantiles_of(const Posterior& posterior, Eigen::Index parameter) {
+std::vector<double> quantiles_of(const Eigen::RowVectorXd& draws) {
     constexpr std::size_t parts = 100;
-    const auto row = posterior.draws.row(parameter);
-    std::vector<double> sorted(row.begin(), row.end());
+    std::vector<double> sorted(draws.begin(), draws.end());
     std::ranges::sort(sorted);
     std::vector<double> quantiles;
     for (std::size_t k = 0; k <= parts; ++k) quantiles.push_back(sorted[k * (sorted.size() - 1) / parts]);
@@ -40,6 +41,7 @@ StudiedSpectrum described(const FitResult& result) {
     if (result.verdict == Verdict::suspect) studied.status = FitStatus::suspect;
     if (result.verdict == Verdict::failed) studied.status = FitStatus::failed;
     for (const std::string& reason : result.reasons) studied.reason += (studied.reason.empty() ? "" : " | ") + reason;
+    const std::vector<ModelSplit> splits = model_splits(result);
     for (std::size_t i = 0; i < result.free.size(); ++i) {
         const FittedParameter& free = result.free[i];
         const auto row = static_cast<Eigen::Index>(i);
@@ -50,11 +52,19 @@ StudiedSpectrum described(const FitResult& result) {
                                       .bounds = free.bounds,
                                       .status = free.uncertainty.status,
                                       .prior = free.prior,
-                                      .decided_by_prior = free.uncertainty.decided_by_prior});
-        if (result.posterior) studied.parameters.back().quantiles = quantiles_of(*result.posterior, row);
+                                      .decided_by_prior = free.uncertainty.decided_by_prior,
+                                      .split_by_model = is_split_by_model(splits, free.name)});
+        if (result.posterior) studied.parameters.back().quantiles = quantiles_of(result.posterior->draws.row(row));
         for (Eigen::Index column = 0; column < row; ++column) {
             studied.correlation.push_back(result.correlation(row, column));
         }
+    }
+    for (const TissueEstimate& each : tissue_estimates(result)) {
+        studied.tissue.push_back({.name = std::string(each.quantity->name),
+                                  .value = each.value,
+                                  .interval_95 = each.interval_95,
+                                  .quantiles = {}});
+        if (result.posterior) studied.tissue.back().quantiles = quantiles_of(each.draws);
     }
     studied.rmse = result.rmse;
     studied.chi2 = result.chi2;

@@ -50,7 +50,8 @@ Json parameters_json(const std::vector<ParameterEstimate>& parameters) {
                         {"interval_95", {each.interval_95.lower, each.interval_95.upper}},
                         {"bounds", {each.bounds.lower, each.bounds.upper}},
                         {"status", name_of(each.status)},
-                        {"decided_by_prior", each.decided_by_prior}});
+                        {"decided_by_prior", each.decided_by_prior},
+                        {"split_by_model", each.split_by_model}});
         if (each.prior) json.back()["prior"] = to_json(*each.prior);
         if (!each.quantiles.empty()) json.back()["quantiles"] = each.quantiles;
     }
@@ -68,9 +69,34 @@ std::vector<ParameterEstimate> parameters_from_json(const Json& json) {
                               .status = status_named(each.at("status").get<std::string>()),
                               .quantiles = each.value("quantiles", std::vector<double>()),
                               .prior = prior_from(each),
-                              .decided_by_prior = each.value("decided_by_prior", false)});
+                              .decided_by_prior = each.value("decided_by_prior", false),
+                              .split_by_model = each.value("split_by_model", false)});
     }
     return parameters;
+}
+
+Json tissue_json(const std::vector<TissueValue>& tissue) {
+    Json json = Json::array();
+    for (const TissueValue& each : tissue) {
+        json.push_back(
+            {{"name", each.name},
+             {"value", each.value},
+             {"interval_95", each.interval_95 ? Json{each.interval_95->lower, each.interval_95->upper} : Json()}});
+        if (!each.quantiles.empty()) json.back()["quantiles"] = each.quantiles;
+    }
+    return json;
+}
+
+std::vector<TissueValue> tissue_from_json(const Json& json) {
+    std::vector<TissueValue> tissue;
+    for (const Json& each : json) {
+        const Json& interval = each.at("interval_95");
+        tissue.push_back({.name = each.at("name").get<std::string>(),
+                          .value = each.at("value").get<double>(),
+                          .interval_95 = interval.is_null() ? std::nullopt : std::optional(bounds_from(interval)),
+                          .quantiles = each.value("quantiles", std::vector<double>())});
+    }
+    return tissue;
 }
 
 Json indices_json(const std::vector<IndexValue>& indices) {
@@ -99,6 +125,7 @@ Json to_json(const StudiedSpectrum& spectrum) {
             {"reason", spectrum.reason},
             {"parameters", parameters_json(spectrum.parameters)},
             {"correlation", spectrum.correlation},
+            {"tissue", tissue_json(spectrum.tissue)},
             {"indices", indices_json(spectrum.indices)},
             {"rmse", or_null(spectrum.rmse)},
             {"chi2", or_null(spectrum.chi2)},
@@ -113,6 +140,7 @@ StudiedSpectrum studied_from_json(const Json& json) {
             .reason = json.at("reason").get<std::string>(),
             .parameters = parameters_from_json(json.at("parameters")),
             .correlation = json.at("correlation").get<std::vector<double>>(),
+            .tissue = tissue_from_json(json.at("tissue")),
             .indices = indices_from_json(json.at("indices")),
             .rmse = number_or_none(json.at("rmse")),
             .chi2 = number_or_none(json.at("chi2")),

@@ -72,7 +72,7 @@ struct ReferenceSite {
 /// A question with a probability for an answer.
 struct Indicator {
     std::string name;
-    std::string quantity;                    ///< name of a parameter, or of an index of `index_table`
+    std::string quantity;                    ///< name of a parameter, a quantity of the tissue or an index
     bool above = true;                       ///< above the threshold, else below
     std::optional<double> threshold;         ///< in the quantity's unit; set where `reference` is not
     std::optional<ReferenceSite> reference;  ///< a value measured elsewhere is the threshold
@@ -83,7 +83,7 @@ struct Indicator {
 
 /// A check of the study's answers against what is known of its spectra.
 struct Assessment {
-    std::string name;                     ///< of an indicator; or of a parameter or an index
+    std::string name;                     ///< of an indicator; or as `Indicator::quantity`
     bool is_indicator = true;             ///< compared with a label, else with numbers
     std::string metadata;                 ///< the label, or the reference value in the quantity's unit
     std::string positive;                 ///< the word of the label that stands for yes

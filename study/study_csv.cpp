@@ -16,6 +16,7 @@ namespace {
 struct StudyColumns {
     std::vector<std::string> metadata;
     std::vector<std::string> parameters;
+    std::vector<std::string> tissue;
     std::vector<std::string> indices;
     std::vector<std::pair<std::string, std::string>> correlated;
 };
@@ -36,6 +37,7 @@ StudyColumns columns_of(const std::vector<AnsweredRow>& rows) {
                 add_new(columns.correlated, std::pair(parameters[i].name, parameters[k].name));
             }
         }
+        for (const TissueValue& tissue : each.row.studied.tissue) add_new(columns.tissue, tissue.name);
         for (const IndexValue& index : each.row.studied.indices) add_new(columns.indices, std::string(index.name));
     }
     return columns;
@@ -76,8 +78,11 @@ std::string header_line(const Study& study, const StudyColumns& columns) {
     std::vector<std::string> last;
     for (const std::string& name : columns.parameters) {
         last.push_back(name);
-        for (const char* part : {"sigma", "lower_95", "upper_95", "status", "decided_by_prior"})
+        for (const char* part : {"sigma", "lower_95", "upper_95", "status", "decided_by_prior", "split_by_model"})
             last.push_back(name + "_" + part);
+    }
+    for (const std::string& name : columns.tissue) {
+        for (const char* part : {"", "_lower_95", "_upper_95"}) last.push_back(name + part);
     }
     for (const std::string& name : columns.indices) {
         last.push_back(name);
@@ -110,7 +115,7 @@ std::string yes_or_no(bool is_so) {
 void add_parameter(const StudiedSpectrum& studied, const std::string& name, Line& line) {
     const auto found = std::ranges::find(studied.parameters, name, &ParameterEstimate::name);
     if (found == studied.parameters.end()) {
-        for (int i = 0; i < 6; ++i) line.add("");
+        for (int i = 0; i < 7; ++i) line.add("");
         return;
     }
     line.add(number(found->value));
@@ -119,6 +124,15 @@ void add_parameter(const StudiedSpectrum& studied, const std::string& name, Line
     line.add(number(found->interval_95.upper));
     line.add(std::string(name_of(found->status)));
     line.add(yes_or_no(found->decided_by_prior));
+    line.add(yes_or_no(found->split_by_model));
+}
+
+void add_tissue(const StudiedSpectrum& studied, const std::string& name, Line& line) {
+    const auto found = std::ranges::find(studied.tissue, name, &TissueValue::name);
+    const bool known = found != studied.tissue.end();
+    line.add(known ? number(found->value) : "");
+    line.add(known && found->interval_95 ? number(found->interval_95->lower) : "");
+    line.add(known && found->interval_95 ? number(found->interval_95->upper) : "");
 }
 
 /// The most probable class of skin colour, and its probability.
@@ -146,6 +160,7 @@ std::string row_line(const AnsweredRow& each, const StudyColumns& columns) {
     line.add(studied.reason);
     for (const std::string& name : columns.metadata) line.add(word_of(row.metadata, name));
     for (const std::string& name : columns.parameters) add_parameter(studied, name, line);
+    for (const std::string& name : columns.tissue) add_tissue(studied, name, line);
     for (const std::string& name : columns.indices) {
         const auto found = std::ranges::find(studied.indices, name, &IndexValue::name);
         const bool known = found != studied.indices.end();

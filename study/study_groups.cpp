@@ -8,6 +8,7 @@
 #include <map>
 #include <numeric>
 
+#include "fit/tissue.hpp"
 #include "model/parameters.hpp"
 
 namespace skinfit {
@@ -84,6 +85,7 @@ std::vector<StudyGroup> groups_of(const Study& study, const std::vector<Answered
 std::vector<std::string> quantities_in(const std::vector<AnsweredRow>& rows) {
     std::vector<std::string> known;
     for (const ParameterInfo& info : parameter_table()) known.emplace_back(info.name);
+    for (const TissueQuantity& quantity : tissue_quantities()) known.emplace_back(quantity.name);
     for (const IndexInfo& info : index_table()) known.emplace_back(info.name);
     std::erase_if(known, [&](const std::string& name) {
         return std::ranges::none_of(rows,
@@ -94,6 +96,7 @@ std::vector<std::string> quantities_in(const std::vector<AnsweredRow>& rows) {
 
 std::string unit_of(const std::string& quantity) {
     if (const std::optional<Parameter> parameter = find_parameter(quantity)) return std::string(info(*parameter).unit);
+    if (const TissueQuantity* const tissue = find_tissue_quantity(quantity)) return std::string(tissue->unit);
     const auto found = std::ranges::find(index_table(), quantity, &IndexInfo::name);
     return found == index_table().end() ? std::string() : std::string(found->unit);
 }
@@ -102,12 +105,14 @@ std::optional<GroupSummary> summary_of(const StudyGroup& group, const std::strin
     std::vector<double> values;
     std::vector<double> sigmas;
     std::size_t decided_by_prior = 0;
+    std::size_t split_by_model = 0;
     for (const AnsweredRow* const each : group.rows) {
         const std::optional<QuantityEstimate> estimate = estimate_of(each->row, quantity);
         if (!estimate) continue;
         values.push_back(estimate->value);
         if (estimate->sigma) sigmas.push_back(*estimate->sigma);
         if (estimate->decided_by_prior) ++decided_by_prior;
+        if (estimate->split_by_model) ++split_by_model;
     }
     if (values.empty()) return std::nullopt;
     const auto n = static_cast<double>(values.size());
@@ -119,7 +124,8 @@ std::optional<GroupSummary> summary_of(const StudyGroup& group, const std::strin
                         .sd = std::sqrt(squares / (n - 1.0)),  // NaN for one
                         .median = median_of(values),
                         .median_sigma = median_of(sigmas),
-                        .decided_by_prior = decided_by_prior};
+                        .decided_by_prior = decided_by_prior,
+                        .split_by_model = split_by_model};
 }
 
 std::vector<RepeatedEstimate> repeats_of(const Study& study, const std::vector<AnsweredRow>& rows,

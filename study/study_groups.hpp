@@ -21,7 +21,8 @@ struct StudyGroup {
 /// In the order in which they are met.
 [[nodiscard]] std::vector<StudyGroup> groups_of(const Study& study, const std::vector<AnsweredRow>& rows);
 
-/// The names of all parameters and indices that some spectrum has, in the order of their tables.
+/// The names of all parameters, quantities of the tissue and indices that some spectrum has, in the order of their
+/// tables.
 [[nodiscard]] std::vector<std::string> quantities_in(const std::vector<AnsweredRow>& rows);
 
 /// Its unit; empty for a pure number.
@@ -35,6 +36,7 @@ struct GroupSummary {
     double median = 0.0;
     double median_sigma = 0.0;         ///< claimed; NaN where none has one
     std::size_t decided_by_prior = 0;  ///< spectra of which the prior of the quantity says more than they do
+    std::size_t split_by_model = 0;    ///< spectra that do not say how it shares an amount with another (`ModelSplit`)
 };
 
 /// None where no spectrum has the quantity.

@@ -12,7 +12,7 @@ namespace skinfit {
 
 /// What is planned: a comparison of two groups of subjects by one quantity.
 struct PowerQuestion {
-    std::string quantity;               ///< a parameter or an index
+    std::string quantity;               ///< a parameter, a quantity of the tissue or an index
     std::vector<std::size_t> subjects;  ///< per group, each 2 or more
     double power = 0.8;                 ///< of finding the difference, above 0.05 and below 1
     std::size_t repeats = 1;            ///< measurements of each subject, averaged

@@ -78,14 +78,16 @@ Html group_table(const std::vector<StudyGroup>& groups, const std::string& quant
                                 {.name = "sd between spectra", .unit = unit_of(quantity)},
                                 {.name = "median", .unit = unit_of(quantity)},
                                 {.name = "median claimed sigma", .unit = unit_of(quantity)},
-                                {.name = "decided by its prior"}},
+                                {.name = "decided by its prior"},
+                                {.name = "split by the model"}},
                     .rows = {}};
     for (const StudyGroup& group : groups) {
         const std::optional<GroupSummary> found = summary_of(group, quantity);
         if (!found) continue;
         table.rows.push_back({escaped(group.name), count_cell(found->spectra), number_cell(found->mean, 4),
                               number_cell(found->sd, 2), number_cell(found->median, 4),
-                              number_cell(found->median_sigma, 2), count_cell(found->decided_by_prior)});
+                              number_cell(found->median_sigma, 2), count_cell(found->decided_by_prior),
+                              count_cell(found->split_by_model)});
     }
     return html_table(table);
 }

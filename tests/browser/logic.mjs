@@ -9,7 +9,7 @@ const {visible, shortened, listed} = await load("words.js");
 const {interpolated, residualsOf} = await load("residuals.js");
 const {differencesOf} = await load("differences.js");
 const {inWordsMeasurement, inWordsStated, inWordsDecided} = await load("measurement.js");
-const {scaleOf, rounded, shown, withSigma} = await load("scale.js");
+const {scaleOf, inWords, rounded, shown, withInterval, withSigma} = await load("scale.js");
 const {begun, changed, configurationOf, fragmentOf, inWordsNotLoaded, modelFrom, modelOf, notLoaded, redone, undone, withFitted, withMeasured} = await load("state.js");
 
 const parameters = [
@@ -43,6 +43,9 @@ test("numbers are written as reports write them", () => {
     assert.equal(shown(2.1e-4), "2.10e-4");
     assert.equal(withSigma(0.010188, 0.00034), "0.01019 ± 0.00034");
     assert.equal(withSigma(153.21, 12), "153 ± 12");
+    assert.equal(withInterval(31.234, [8.129, 120.04]), "31.2, 8.13 to 120");
+    assert.equal(withInterval(0, null), "0");
+    assert.equal(inWords("dermal_hemoglobin_umol_per_l", "umol/L"), "dermal hemoglobin");
 });
 
 const defaults = {values: {melanosome_fraction: 0.052, scale: 1}, settings: {edition: "revised", base: null, discrepancy: null}, free: ["scale"]};

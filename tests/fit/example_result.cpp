@@ -156,6 +156,25 @@ FitResult good_result() {
     return result;
 }
 
+FitResult split_result() {
+    FitResult result = trustworthy_result();
+    result.fixed.push_back(result.free.front());
+    result.fixed.back().uncertainty = without_sigma(Status::fixed, {0.0234567, 0.0234567});
+    result.free.clear();
+    result.answer.minimum.values.clear();
+    make_free(result, Parameter::papillary_blood_fraction, 0.0123, plain(0.0045, 0.0003, {0.0035, 0.0211}));
+    make_free(result, Parameter::reticular_blood_fraction, 0.009, plain(0.002, 0.0003, {0.005, 0.013}));
+    result.correlation = Eigen::MatrixXd::Identity(2, 2);
+    result.correlation(0, 1) = result.correlation(1, 0) = -0.72;
+    result.identifiability = {.names = names_of(result.free),
+                              .directions = {{.singular_value = 117.4, .components = Eigen::VectorXd::Unit(2, 0)},
+                                             {.singular_value = 7.4, .components = Eigen::VectorXd::Unit(2, 1)}},
+                              .shrinkage = {0.99993, 0.98}};
+    result.searches.minima.front().minimum = result.answer.minimum;
+    judge(result);
+    return result;
+}
+
 FitResult profiled_result() {
     FitResult result = example_result();
     result.configuration.uncertainty = UncertaintyMethod::profile;

@@ -136,5 +136,19 @@ TEST(JsonReport, IsAConfiguration) {
     EXPECT_EQ(to_json(again), to_json(result.configuration));
 }
 
+TEST(Reports, SayWhereTheModelSplitsAnAmount) {
+    const FitResult result = split_result();
+    const Json json = json_report(result);
+    ASSERT_EQ(json["split_by_model"].size(), 1U);
+    const Json& split = json["split_by_model"][0];
+    EXPECT_EQ(split["parameters"], Json({"papillary_blood_fraction", "reticular_blood_fraction"}));
+    EXPECT_EQ(split["use"], "dermal_hemoglobin_umol_per_l");
+    const std::string message = split["message"];
+    EXPECT_NE(text_report(result).find("  " + message + "\n"), std::string::npos) << message;
+    EXPECT_EQ(json_report(trustworthy_result())["split_by_model"], Json::array());
+    EXPECT_EQ(json["tissue"][0]["name"], "dermal_hemoglobin_umol_per_l");
+    EXPECT_EQ(json["tissue"][0]["calibrated"], false);
+}
+
 }  // namespace
 }  // namespace skinfit::test

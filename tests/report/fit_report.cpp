@@ -71,6 +71,16 @@ TEST(FitReport, MarksWhatIsAtABoundOrNotIdentifiable) {
     EXPECT_FALSE(holds(report_of(test::good_result()), "BOUND"));
 }
 
+TEST(FitReport, HasTheTissueAndSaysWhereTheModelSplitsIt) {
+    const std::string report = report_of(test::split_result());
+    EXPECT_TRUE(holds(report, "In the tissue"));
+    EXPECT_TRUE(holds(report, "dermal_hemoglobin_umol_per_l"));
+    EXPECT_TRUE(holds(report,
+                      "SPLIT BY THE MODEL: papillary_blood_fraction and reticular_blood_fraction; the spectrum "
+                      "does not say how the two share what it shows (correlation -0.72)"));
+    EXPECT_FALSE(holds(report_of(test::trustworthy_result()), "SPLIT BY THE MODEL"));
+}
+
 TEST(FitReport, SaysWhereItComesFrom) {
     const FitResult result = test::good_result();
     const std::string by_command = report_of(result);

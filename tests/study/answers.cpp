@@ -85,6 +85,35 @@ TEST(Answers, SayWhereThePriorDecidesTheQuantityOrItsReference) {
     EXPECT_TRUE(answers(questions, {row, reference})[0].indicators[1].decided_by_prior);
 }
 
+/// Two halves of a normal distribution of the logarithm, of 0.5 below and 1 above 30.
+TEST(Answers, AQuantityOfTheTissueHasAProbabilityByItsInterval) {
+    LedgerRow row = saturated("a", "", 0.5);
+    const double two_sided_95 = 1.959963984540054;
+    row.studied.tissue = {
+        {.name = "dermal_hemoglobin_umol_per_l",
+         .value = 30.0,
+         .interval_95 = Bounds{30.0 * std::exp(-0.5 * two_sided_95), 30.0 * std::exp(two_sided_95)}},
+        {.name = "tissue_bilirubin_mg_per_dl", .value = 0.0, .interval_95 = Bounds{0.0, two_sided_95}},
+        {.name = "tissue_bilirubin_umol_per_l", .value = 1.0, .interval_95 = {}}};
+    const std::vector<IndicatorAnswer> found =
+        answers(
+            {above("dermal_hemoglobin_umol_per_l", 30.0), above("dermal_hemoglobin_umol_per_l", 30.0 * std::exp(1.0)),
+             above("tissue_bilirubin_mg_per_dl", 1.0), above("tissue_bilirubin_umol_per_l", 1.0)},
+            {row})[0]
+            .indicators;
+    const double beyond_one_sigma = std::erfc(std::sqrt(0.5));  // of a half
+    EXPECT_NEAR(found[0].probability.value(), 2.0 / 3.0, 1e-3);
+    EXPECT_NEAR(found[1].probability.value(), 2.0 / 3.0 * beyond_one_sigma, 1e-3);
+    EXPECT_NEAR(found[2].probability.value(), beyond_one_sigma, 1e-3);
+    EXPECT_FALSE(found[3].probability);
+    EXPECT_EQ(found[3].why_none, "tissue_bilirubin_umol_per_l is not identifiable");
+    const std::optional<QuantityEstimate> estimate = estimate_of(row, "dermal_hemoglobin_umol_per_l");
+    EXPECT_EQ(estimate->value, 30.0);
+    EXPECT_EQ(estimate->interval_95->upper, row.studied.tissue[0].interval_95->upper);
+    row.studied.tissue[0].quantiles = {10.0, 20.0, 40.0};
+    EXPECT_DOUBLE_EQ(*answers({above("dermal_hemoglobin_umol_per_l", 30.0)}, {row})[0].indicators[0].probability, 0.25);
+}
+
 /// By Bayes's rule: a spectrum that says nothing leaves the prevalence, and the odds of any other are the likelihood
 /// ratio times those of the prevalence.
 TEST(Answers, APrevalenceTakesThePlaceOfWhatThePriorSays) {

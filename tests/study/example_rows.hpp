@@ -31,6 +31,12 @@ namespace skinfit::test {
     studied.parameters[0].prior = LogNormalPrior{.median = 0.1 / 3.0, .sigma_log = 1.0 / 7.0};
     studied.parameters[0].decided_by_prior = true;
     studied.parameters[0].quantiles = {0.1 + 0.2, 1.0 / 3.0, 0.7};
+    studied.parameters[0].split_by_model = true;
+    studied.tissue = {{.name = "dermal_hemoglobin_umol_per_l",
+                       .value = 100.0 / 7.0,
+                       .interval_95 = Bounds{.lower = 10.0 / 7.0, .upper = 1000.0 / 7.0},
+                       .quantiles = {0.1 + 0.2, 100.0 / 7.0}},
+                      {.name = "tissue_bilirubin_mg_per_dl", .value = 0.0, .interval_95 = {}}};
     studied.correlation = {-2.0 / 3.0};
     studied.indices = {{.name = index_table()[0].name, .value = 100.0 / 3.0, .sigma = 1.0 / 9.0}};
     studied.rmse = 1e-3 / 3.0;

@@ -75,8 +75,8 @@ TEST_F(Refusals, OfAnEmptyDatabaseOfAnotherProgram) {
 
 TEST_F(Refusals, OfALaterVersion) {
     write_ledger();
-    make_database({"PRAGMA user_version = 2"});
-    expect_complaint("has tables of version 2 (this program knows version 1); use the program that wrote it");
+    make_database({"PRAGMA user_version = 1"});
+    expect_complaint("has tables of version 1 (this program knows version 2); use the program that wrote it");
 }
 
 TEST_F(Refusals, OfALedgerThatIsNotThere) {

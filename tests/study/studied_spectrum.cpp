@@ -31,12 +31,24 @@ void expect_same(const StudiedSpectrum& a, const StudiedSpectrum& b) {
         EXPECT_EQ(one.status, other.status);
         EXPECT_EQ(one.quantiles, other.quantiles);
         EXPECT_EQ(one.decided_by_prior, other.decided_by_prior);
+        EXPECT_EQ(one.split_by_model, other.split_by_model);
         ASSERT_EQ(one.prior.has_value(), other.prior.has_value());
         if (one.prior) {
             EXPECT_EQ(to_json(*one.prior), to_json(*other.prior));
         }
     }
     EXPECT_EQ(a.correlation, b.correlation);
+    ASSERT_EQ(a.tissue.size(), b.tissue.size());
+    for (std::size_t i = 0; i < a.tissue.size(); ++i) {
+        EXPECT_EQ(a.tissue[i].name, b.tissue[i].name);
+        EXPECT_EQ(a.tissue[i].value, b.tissue[i].value);
+        ASSERT_EQ(a.tissue[i].interval_95.has_value(), b.tissue[i].interval_95.has_value());
+        if (a.tissue[i].interval_95) {
+            EXPECT_EQ(a.tissue[i].interval_95->lower, b.tissue[i].interval_95->lower);
+            EXPECT_EQ(a.tissue[i].interval_95->upper, b.tissue[i].interval_95->upper);
+        }
+        EXPECT_EQ(a.tissue[i].quantiles, b.tissue[i].quantiles);
+    }
     ASSERT_EQ(a.indices.size(), b.indices.size());
     for (std::size_t i = 0; i < a.indices.size(); ++i) {
         EXPECT_EQ(a.indices[i].name, b.indices[i].name);

@@ -104,6 +104,26 @@ TEST_F(StudyFiles, SpectraBeginWithPresetSkinAndImagesWithThePapers) {
     EXPECT_EQ(image.engine, Engine::emulator);
 }
 
+TEST_F(StudyFiles, QuantitiesOfTheTissueAreAskedForAsParametersWhereFitsAdjustThem) {
+    const std::string frame = R"({"inputs": ["a.csv"], "output": "out", "fit": {"free": ["%"]},
+        "indicators": [{"name": "jaundice", "parameter": "tissue_bilirubin_mg_per_dl", "above": 5, "source": "x"}],
+        "assess": [{"parameter": "tissue_bilirubin_mg_per_dl", "reference": "serum_bilirubin_mg_per_dl"}]})";
+    const auto freeing = [&](const std::string& name) {
+        std::string text = frame;
+        return parsed(text.replace(text.find('%'), 1, name));
+    };
+    const Study study = freeing("dermal_bilirubin_g_per_l");
+    EXPECT_EQ(study.indicators[0].quantity, "tissue_bilirubin_mg_per_dl");
+    EXPECT_EQ(study.indicators[0].threshold, 5.0);
+    EXPECT_EQ(study.assessments[0].name, "tissue_bilirubin_mg_per_dl");
+    const std::string complaint = test::refusal_of([&] { (void)freeing("melanosome_fraction"); });
+    EXPECT_NE(
+        complaint.find("indicator jaundice: tissue_bilirubin_mg_per_dl is not adjusted by the fits (they hold all "
+                       "that it is computed from, and say nothing about it); add what it is computed from"),
+        std::string::npos)
+        << complaint;
+}
+
 TEST_F(StudyFiles, ThresholdsDefaultToOneHalfAndTheNameToTheFile) {
     const Study study = parsed(R"({"inputs": ["a.csv"], "output": "out",
   "indicators": [{"name": "i", "index": "melanin_index", "above": 40, "source": "x"}],

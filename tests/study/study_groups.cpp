@@ -75,6 +75,22 @@ TEST(StudyGroups, SummariesAreMomentsAndMedians) {
     EXPECT_FALSE(summary_of(groups_of(Study(), one)[0], "melanin_index"));
 }
 
+TEST(StudyGroups, QuantitiesOfTheTissueAreSummarisedAndSplitsCounted) {
+    std::vector<LedgerRow> rows = {saturated("1", {}, 0.1), saturated("2", {}, 0.2)};
+    rows[0].studied.parameters[0].split_by_model = true;
+    for (LedgerRow& row : rows) {
+        const double value = 10.0 * static_cast<double>(&row - rows.data() + 1);
+        row.studied.tissue = {
+            {.name = "tissue_bilirubin_mg_per_dl", .value = value, .interval_95 = Bounds{value - 1.0, value + 1.0}}};
+    }
+    const std::vector<AnsweredRow> two = plain(rows);
+    const std::vector<StudyGroup> groups = groups_of(Study(), two);
+    EXPECT_EQ(summary_of(groups[0], "oxygen_saturation")->split_by_model, 1U);
+    EXPECT_EQ(summary_of(groups[0], "tissue_bilirubin_mg_per_dl")->mean, 15.0);
+    EXPECT_EQ(quantities_in(two), (std::vector<std::string>{"oxygen_saturation", "tissue_bilirubin_mg_per_dl"}));
+    EXPECT_EQ(unit_of("tissue_bilirubin_mg_per_dl"), "mg/dL");
+}
+
 TEST(StudyGroups, QuantitiesAreThoseOfSpectraWithAnAnswer) {
     std::vector<LedgerRow> rows = {saturated("1", {}, 0.5), with_status("2", FitStatus::failed, "x")};
     rows[0].studied.indices = {{.name = "melanin_index", .value = 40, .sigma = 1}};
@@ -175,6 +191,23 @@ TEST_F(Assessed, PairsAreSpectraWithAReferenceValue) {
     EXPECT_TRUE(pairs[0].interval_95);
     EXPECT_TRUE(std::isnan(pairs[2].estimate)) << "its search did not converge";
     EXPECT_EQ(method_agreement(pairs)->incomplete_pairs, 1U);
+}
+
+TEST_F(Assessed, AQuantityOfTheTissueIsComparedByItsInterval) {
+    std::vector<LedgerRow> rows = {saturated("1", {{"bilirubin", "11"}}, 0.1),
+                                   saturated("2", {{"bilirubin", "25"}}, 0.2)};
+    for (LedgerRow& row : rows) {
+        row.studied.tissue = {{.name = "tissue_bilirubin_mg_per_dl", .value = 12.0, .interval_95 = Bounds{8.0, 20.0}}};
+    }
+    const Assessment assessment{
+        .name = "tissue_bilirubin_mg_per_dl", .is_indicator = false, .metadata = "bilirubin", .positive = {}};
+    const std::vector<ReferencePair> pairs = pairs_of(assessment, plain(rows));
+    ASSERT_EQ(pairs.size(), 2U);
+    EXPECT_EQ(pairs[1].estimate, 12.0);
+    EXPECT_EQ(pairs[1].reference, 25.0);
+    const MethodAgreement agreement = method_agreement(pairs).value();
+    EXPECT_EQ(agreement.coverage->count, 1U);
+    EXPECT_EQ(agreement.coverage->trials, 2U);
 }
 
 TEST_F(Assessed, AReferenceValueIsANumber) {

@@ -78,8 +78,9 @@ TEST(StudyCsv, EveryRowHasTheSameColumns) {
                                                "oxygen_saturation_upper_95",
                                                "oxygen_saturation_status",
                                                "oxygen_saturation_decided_by_prior",
+                                               "oxygen_saturation_split_by_model",
                                                "melanosome_fraction"};
-    EXPECT_TRUE(std::ranges::equal(expected, std::vector(table[0].begin(), table[0].begin() + 16)));
+    EXPECT_TRUE(std::ranges::equal(expected, std::vector(table[0].begin(), table[0].begin() + 17)));
     EXPECT_EQ(table[0].back(), "seconds");
 }
 
@@ -94,6 +95,13 @@ TEST(StudyCsv, HoldsNumbersToTheLastBit) {
     EXPECT_EQ(std::stod(cell(table, 1, "p_low")), answered(asking(), rows())[0].indicators[0].probability.value());
     EXPECT_EQ(std::stod(cell(table, 2, "correlation_oxygen_saturation_melanosome_fraction")), -2.0 / 3.0);
     EXPECT_EQ(cell(table, 1, "correlation_oxygen_saturation_melanosome_fraction"), "");
+    EXPECT_EQ(cell(table, 2, "melanosome_fraction_split_by_model"), "yes");
+    EXPECT_EQ(std::stod(cell(table, 2, "dermal_hemoglobin_umol_per_l")), 100.0 / 7.0);
+    EXPECT_EQ(std::stod(cell(table, 2, "dermal_hemoglobin_umol_per_l_lower_95")), 10.0 / 7.0);
+    EXPECT_EQ(std::stod(cell(table, 2, "dermal_hemoglobin_umol_per_l_upper_95")), 1000.0 / 7.0);
+    EXPECT_EQ(cell(table, 2, "tissue_bilirubin_mg_per_dl"), "0");
+    EXPECT_EQ(cell(table, 2, "tissue_bilirubin_mg_per_dl_lower_95"), "") << "no interval";
+    EXPECT_EQ(cell(table, 1, "dermal_hemoglobin_umol_per_l"), "");
     EXPECT_EQ(cell(table, 1, "skin_colour"), "");
     EXPECT_EQ(std::stod(cell(table, 2, "melanin_index")), 100.0 / 3.0);
     EXPECT_EQ(std::stod(cell(table, 2, "chi2")), example_answer().chi2.value());

@@ -4,10 +4,10 @@ import {differencesOf} from "./differences";
 import {download} from "./download";
 import {showing, shownOf, type OpenFile} from "./measured";
 import {Settings, type Change} from "./parameters";
-import {counted, inWords, shown, withSigma} from "./scale";
+import {counted, inWords, shown, withInterval, withSigma} from "./scale";
 import {Scrolled} from "./scrolled";
 import {configurationOf, withFitted, type Model} from "./state";
-import type {FitState, FittedParameter, Json, Report, Vocabulary} from "./types";
+import type {FitState, FittedParameter, Json, Report, TissueEstimate, Vocabulary} from "./types";
 import {listed, shortened, visible} from "./words";
 
 /// A fit that runs or has run.
@@ -177,6 +177,7 @@ function DifferenceRows({fits}: {fits: Fit[]}) {
 function Comparison({vocabulary, model, change, setFiles, fits, setFits, say, onError}: FitsProps) {
     const rows = [...new Set(fits.flatMap(({report}) =>
         Object.entries(report!.parameters).filter(([, {status}]) => status !== "fixed").map(([name]) => name)))];
+    const tissueRows = [...new Map(fits.flatMap(({report}) => report!.tissue.map((each): [string, TissueEstimate] => [each.name, each]))).values()];
     const unitOf = (name: string) => vocabulary.parameters.find((each) => each.name === name)?.unit ?? "";
     const toSliders = ({report, measurement, files}: Fit) => {
         change(withFitted(model, report!, measurement));
@@ -187,7 +188,7 @@ function Comparison({vocabulary, model, change, setFiles, fits, setFits, say, on
     return (
         <Scrolled label="Fits side by side">
             <table class="comparison">
-                <caption>Fitted values ± 1 sigma</caption>
+                <caption>Fitted values ± 1 sigma, or with 95 % intervals</caption>
                 <thead>
                     <tr>
                         <th scope="col">parameter</th>
@@ -216,6 +217,19 @@ function Comparison({vocabulary, model, change, setFiles, fits, setFits, say, on
                             })}
                         </tr>
                     ))}
+                    {tissueRows.map(({name, unit}) => (
+                        <tr>
+                            <th scope="row">{inWords(name, unit)} <span class="unit">{unit}</span></th>
+                            {cells(({tissue}) => {
+                                const found = tissue.find((each) => each.name === name);
+                                return found ? withInterval(found.value, found.interval_95) : "–";
+                            })}
+                        </tr>
+                    ))}
+                    {fits.some(({report}) => report!.split_by_model.length > 0) && <tr>
+                        <th scope="row">split by the model</th>
+                        {cells(({split_by_model: splits}) => splits.length === 0 ? "–" : splits.map(({message}) => <p>{visible(message)}</p>))}
+                    </tr>}
                     <tr><th scope="row">rmse</th>{cells(({rmse}) => rmse.toFixed(5))}</tr>
                     <tr>
                         <th scope="row">chi2 / degrees of freedom</th>

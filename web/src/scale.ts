@@ -43,10 +43,14 @@ export function withSigma(value: number, sigma: number): string {
     return `${value.toFixed(decimals)} ± ${sigma.toFixed(decimals)}`;
 }
 
+/// `value` with the ends of its 95 % interval, as the reports have it.
+export const withInterval = (value: number, interval: [number, number] | null): string =>
+    interval ? `${shown(value, 3)}, ${shown(interval[0], 3)} to ${shown(interval[1], 3)}` : shown(value, 3);
+
 /// "1 finding", "2 findings".
 export const counted = (count: number, one: string, more = `${one}s`): string => `${count} ${count === 1 ? one : more}`;
 
-const units: {[unit: string]: string} = {"g/L": "_g_per_l", cm: "_cm", nm: "_nm"};
+const units: {[unit: string]: string} = {"g/L": "_g_per_l", "mg/dL": "_mg_per_dl", "umol/L": "_umol_per_l", cm: "_cm", nm: "_nm"};
 
 /// A parameter's or setting's name in words, without the unit that stands beside it.
 export function inWords(name: string, unit = ""): string {

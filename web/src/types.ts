@@ -95,6 +95,14 @@ export interface Sensitivity {
     derivative: {[parameter: string]: number[]};
 }
 
+/// A quantity that does not depend on how the model divides the skin.
+export interface TissueEstimate {
+    name: string;
+    value: number;
+    unit: string;
+    interval_95: [number, number] | null;
+}
+
 export interface FittedParameter {
     value: number;
     start: number;
@@ -123,6 +131,8 @@ export interface Report extends Partial<Explained> {
     chi2: number;
     degrees_of_freedom: number;
     parameters: {[name: string]: FittedParameter};
+    tissue: TissueEstimate[];
+    split_by_model: {message: string}[];
     spectrum?: {name: string};
     spectra?: Explained[];
     configuration: {[key: string]: Json};
