@@ -13,6 +13,7 @@
 #include "fit/configuration_check.hpp"
 #include "fit/configuration_json.hpp"
 #include "fit/gnuplot.hpp"
+#include "study/transport_plan.hpp"
 #include "validation/inverse_run.hpp"
 #include "validation/inverse_summary.hpp"
 
@@ -131,10 +132,9 @@ void add_transport_options(CLI::App& inverse, ValidateInverseCommand& command) {
         .add_option("--cohort", command.cohort,
                     "by transport: natural, factorial, or a cohort file as of study simulate; natural if not given")
         ->type_name("NAME|FILE");
-    inverse
-        .add_option("--port-diameter-mm", command.port_diameter_mm,
-                    "by transport: of the disc that is lit and collected from; the cohort's if not given")
-        ->type_name("MM");
+    number(inverse.add_option("--port-diameter-mm", command.port_diameter_mm,
+                              "by transport: of the disc that is lit and collected from; the cohort's if not given"),
+           port_diameters_mm.lower, port_diameters_mm.upper, "mm");
 }
 
 }  // namespace

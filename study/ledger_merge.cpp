@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* take_spectra = R"sql(
 UPDATE spectra SET status = p.status, verdict = p.verdict, reason = p.reason, parameters = p.parameters,
-    correlation = p.correlation, indices = p.indices, rmse = p.rmse, chi2 = p.chi2,
+    correlation = p.correlation, tissue = p.tissue, indices = p.indices, rmse = p.rmse, chi2 = p.chi2,
     degrees_of_freedom = p.degrees_of_freedom, p_value = p.p_value, seconds = p.seconds, finished_at = p.finished_at
 FROM part.spectra AS p
 WHERE spectra.present AND spectra.status = 'pending' AND p.status <> 'pending' AND p.source = spectra.source AND

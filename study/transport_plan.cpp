@@ -88,10 +88,10 @@ double DrawnNumber::drawn(double uniform) const {
 }
 
 TransportPlan read_transport_plan(const Json& json, const std::string& where) {
-    // Chosen: from a tenth of to ten times what tissues have [JACQUES13]; a port from a fibre's to beyond all light.
+    // Chosen: from a tenth of to ten times what tissues have [JACQUES13].
     constexpr Range scattering_per_cm = {1, 1000};
     constexpr Range power = {-1, 5};
-    constexpr Range diameter_mm = {0.1, 1000};
+    constexpr Range diameter_mm = {port_diameters_mm.lower, port_diameters_mm.upper};
     constexpr std::uint64_t fewest_photons = 1000;
     constexpr std::uint64_t most_photons = 100'000'000;
     require_names(json, {"scattering_at_500_nm_per_cm", "scattering_power", "port_diameter_mm", "photons"},

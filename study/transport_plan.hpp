@@ -23,6 +23,9 @@ struct DrawnNumber {
     [[nodiscard]] double drawn(double uniform) const;
 };
 
+/// What a port may be, mm: from a fibre's to beyond all light; chosen.
+inline constexpr Bounds port_diameters_mm = {.lower = 0.1, .upper = 1000.0};
+
 /// How the layered transport makes the spectra of a cohort. The defaults of scattering are those of `LayeredSkin`.
 struct TransportPlan {
     DrawnNumber scattering_at_500_nm_per_cm;

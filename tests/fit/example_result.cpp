@@ -157,7 +157,7 @@ FitResult good_result() {
 }
 
 FitResult split_result() {
-    FitResult result = trustworthy_result();
+    FitResult result = good_result();
     result.fixed.push_back(result.free.front());
     result.fixed.back().uncertainty = without_sigma(Status::fixed, {0.0234567, 0.0234567});
     result.free.clear();

@@ -16,7 +16,7 @@ namespace skinfit::test {
 /// The consistent one with a posterior in which one step diverged: suspect.
 [[nodiscard]] FitResult sampled_result();
 
-/// The trustworthy one with blood of both layers of the dermis in place of melanin, their errors against each other.
+/// The consistent one with blood of both layers of the dermis in place of melanin, their errors against each other.
 [[nodiscard]] FitResult split_result();
 
 }  // namespace skinfit::test

@@ -78,7 +78,7 @@ TEST(FitReport, HasTheTissueAndSaysWhereTheModelSplitsIt) {
     EXPECT_TRUE(holds(report,
                       "SPLIT BY THE MODEL: papillary_blood_fraction and reticular_blood_fraction; the spectrum "
                       "does not say how the two share what it shows (correlation -0.72)"));
-    EXPECT_FALSE(holds(report_of(test::trustworthy_result()), "SPLIT BY THE MODEL"));
+    EXPECT_FALSE(holds(report_of(test::good_result()), "SPLIT BY THE MODEL"));
 }
 
 TEST(FitReport, SaysWhereItComesFrom) {
