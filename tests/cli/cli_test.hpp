@@ -12,7 +12,8 @@
 
 namespace skinfit::test {
 
-/// A test of the program, in an empty folder of its own beside a cache of its own.
+/// A test of the program, in an empty folder of its own. What the program keeps is shared by all tests of this build,
+/// or each would make the same emulators again.
 class CliTest : public ::testing::Test {
 protected:
     void SetUp() override {
@@ -20,7 +21,7 @@ protected:
         std::filesystem::remove_all(root_);
         folder_ = root_ / "work";
         std::filesystem::create_directories(folder_);
-        ::setenv("SKINFIT_CACHE_DIR", (root_ / "cache").c_str(), 1);
+        ::setenv("SKINFIT_CACHE_DIR", cache_of_build().c_str(), 1);
     }
     void TearDown() override { std::filesystem::remove_all(root_); }
 
@@ -42,6 +43,13 @@ protected:
     void put(const std::string& name, const std::string& text) const { write_file_atomically(folder_ / name, text); }
 
 private:
+    /// Of this very program: another build has another.
+    [[nodiscard]] static std::filesystem::path cache_of_build() {
+        const std::filesystem::path program = skinfit_program();
+        const auto built = std::filesystem::last_write_time(program).time_since_epoch().count();
+        return program.parent_path() / "tests" / "cli" / ("cache_" + std::to_string(built));
+    }
+
     std::filesystem::path root_;
     std::filesystem::path folder_;
 };

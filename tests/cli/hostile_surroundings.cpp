@@ -28,6 +28,7 @@ class HostileSurroundings : public CliTest {
 protected:
     void SetUp() override {
         CliTest::SetUp();
+        ::setenv("SKINFIT_CACHE_DIR", cache().c_str(), 1);
         path_ = std::getenv("PATH");
     }
     void TearDown() override {

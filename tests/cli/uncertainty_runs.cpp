@@ -18,8 +18,11 @@ protected:
 
     [[nodiscard]] Outcome fit(std::vector<std::string> more) const {
         std::vector<std::string> arguments = {
-            "fit",   "skin.csv",  "--column", "reflectance",
-            "--set", "rays=1000", "--fix",    "reticular_blood_fraction,oxygen_saturation,bilirubin_g_per_l"};
+            "fit",      "skin.csv",
+            "--column", "reflectance",
+            "--set",    "preset=paper",
+            "--set",    "rays=1000",
+            "--fix",    "reticular_blood_fraction,oxygen_saturation,bilirubin_g_per_l"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return run(arguments);
     }
@@ -37,6 +40,7 @@ TEST_F(UncertaintyRuns, IntervalsAreOfTheKindAskedFor) {
 // Of NCSU 82 the search for the lower end of the oxygen saturation passes another valley.
 TEST_F(UncertaintyRuns, AtTheEndsOfProfilesTheBestRefitHasRisenToTheThreshold) {
     const std::vector<std::string> common = {"fit",      SKINFIT_SOURCE_DIR "/measurements/data/ncsu_082.csv",
+                                             "--set",    "preset=paper",
                                              "--set",    "discrepancy={}",
                                              "--set",    "engine=emulator",
                                              "--format", "json"};

@@ -34,7 +34,7 @@ class UnusedWavelengths : public StudyTest {
 protected:
     [[nodiscard]] Json fitted(std::vector<std::string> arguments) const {
         arguments.insert(arguments.begin(), "fit");
-        arguments.insert(arguments.end(), {"--format", "json", "--set", "engine=emulator"});
+        arguments.insert(arguments.end(), {"--format", "json", "--set", "preset=paper", "--set", "engine=emulator"});
         const Outcome outcome = run(arguments);
         EXPECT_LE(outcome.exit_code, 1) << outcome.err;
         return outcome.exit_code <= 1 ? Json::parse(outcome.out) : Json();

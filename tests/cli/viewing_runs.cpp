@@ -15,7 +15,8 @@ TEST_F(ViewingRuns, TheConeGoesFromTheSimulationThroughItsFileIntoTheReport) {
     for (const char* line : {"# incidence_deg: 45", "# specular: excluded", "# viewing_cone_deg: 5"}) {
         EXPECT_NE(text.find(line), std::string::npos) << line;
     }
-    const Arguments fit = {"fit", "seen.csv", "--column", "reflectance", "--set", "engine=solver"};
+    const Arguments fit = {"fit",   "seen.csv",     "--column", "reflectance",
+                           "--set", "preset=paper", "--set",    "engine=solver"};
     EXPECT_NE(run(fit).out.find("specular excluded, viewing cone 5 deg"), std::string::npos);
     Arguments as_json = fit;
     as_json.insert(as_json.end(), {"--format", "json"});
@@ -54,8 +55,9 @@ TEST_F(ViewingRuns, TheWalkSeesThroughTheCone) {
 
 TEST_F(ViewingRuns, TheShippedConfigurationFitsTheShippedSpecimen) {
     const std::string source = SKINFIT_SOURCE_DIR;
-    const Outcome outcome = run({"fit", source + "/measurements/data/ncsu_113.csv", "--config",
-                                 source + "/configs/ncsu_45_0.json", "--set", "wavelength_max_nm=600"});
+    const Outcome outcome =
+        run({"fit", source + "/measurements/data/ncsu_113.csv", "--config", source + "/configs/ncsu_45_0.json", "--set",
+             "preset=paper", "--set", "wavelength_max_nm=600"});
     EXPECT_LE(outcome.exit_code, 1) << outcome.err;
     EXPECT_NE(outcome.out.find("viewing cone 5 deg"), std::string::npos);
 }
