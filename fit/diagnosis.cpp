@@ -201,6 +201,10 @@ void judge_solvers(const FitResult& result, std::vector<std::string>& reasons) {
 
 }  // namespace
 
+bool is_chi2_small(const FitResult& result) {
+    return result.p_value && *result.p_value > 1.0 - improbable;
+}
+
 Diagnosis diagnose(const FitResult& result) {
     if (!result.answer.minimum.converged) {
         return {.verdict = Verdict::failed,

@@ -34,4 +34,8 @@ inline constexpr double largest_usual_departure = 1.55;
 ///   or fewer than 400 effective draws) or diverged.
 [[nodiscard]] Diagnosis diagnose(const FitResult& result);
 
+/// Whether the residuals are smaller than noise and discrepancy let them be by chance: these are stated too large, and
+/// the intervals are wide. A note, no reason for doubt.
+[[nodiscard]] bool is_chi2_small(const FitResult& result);
+
 }  // namespace skinfit

@@ -109,21 +109,6 @@ std::vector<FittedParameter> free_rows(const FitProblem& problem, const Minimum&
     return rows;
 }
 
-/// Whether the residuals are smaller than noise and discrepancy let them be by chance.
-bool is_chi2_small(const FitResult& result) {
-    return result.p_value && *result.p_value > 1.0 - improbable;
-}
-
-Finding small_chi2(const FitResult& result) {
-    return {.name = "small_chi2",
-            .severity = Severity::note,
-            .spectrum = result.spectra.front().name,
-            .message = fmt::format("chi2 is {:.1f} for {:.3g} degrees of freedom, improbably little: noise and "
-                                   "discrepancy are stated larger than the residuals are, so the intervals are wide",
-                                   result.chi2, result.degrees_of_freedom),
-            .remedy = "state the noise of the instrument, from repeats, by the setting noise"};
-}
-
 void try_others(const Objective& objective, const std::vector<ForwardModel>& models, const Minimum& minimum,
                 const FitWatch& watch, FitResult& result) {
     watch.tell({.stage = "trying other assumptions", .done = 0, .total = 1});
@@ -209,7 +194,6 @@ FitResult fit_spectra(const FitInput& input, const FitOptions& options) {
     std::vector<DistinctMinimum>& minima = result.searches.minima;
     if (inference.profile && inference.profile->better_minimum) minima.push_back({.minimum = minimum});
     minima = distinct(objective, std::move(minima));
-    if (is_chi2_small(result)) result.findings.push_back(small_chi2(result));
     try_others(watched, models, minimum, watch, result);
     const Diagnosis diagnosis = diagnose(result);
     result.verdict = diagnosis.verdict;

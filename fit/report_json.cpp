@@ -2,6 +2,7 @@
 
 #include "core/version.hpp"
 #include "fit/configuration_json.hpp"
+#include "fit/diagnosis.hpp"
 #include "fit/inspection.hpp"
 #include "fit/model_split.hpp"
 #include "fit/report.hpp"
@@ -174,6 +175,7 @@ Json json_report(const FitResult& result) {
                  {"cost", result.cost},
                  {"degrees_of_freedom", result.degrees_of_freedom},
                  {"p_value", or_null(result.p_value)},
+                 {"small_chi2", is_chi2_small(result)},
                  {"slow_residuals_p_value", or_null(result.slow_residuals_p_value)},
                  {"unexplained_rmse", result.unexplained_rmse},
                  {"departure_rms", result.departure_rms},

@@ -5,6 +5,7 @@
 
 #include "core/version.hpp"
 #include "fit/configuration_json.hpp"
+#include "fit/diagnosis.hpp"
 #include "fit/inspection.hpp"
 #include "fit/measurement.hpp"
 #include "fit/model_split.hpp"
@@ -194,8 +195,11 @@ std::string misfit_words(const FitResult& result) {
     if (result.configuration.discrepancy) {
         text += fmt::format(" ({:.5f} without what the discrepancy takes)", result.unexplained_rmse);
     }
-    return text + fmt::format(", chi2 {:.2f} for {:.3g} degrees of freedom{}", result.chi2, result.degrees_of_freedom,
-                              result.p_value ? fmt::format(" (p = {:.2g})", *result.p_value) : "");
+    text += fmt::format(", chi2 {:.2f} for {:.3g} degrees of freedom{}", result.chi2, result.degrees_of_freedom,
+                        result.p_value ? fmt::format(" (p = {:.2g})", *result.p_value) : "");
+    if (!is_chi2_small(result)) return text;
+    return text +
+           ", improbably little: noise and discrepancy are stated larger than the residuals are, so intervals are wide";
 }
 
 std::string assumed_words(const FitResult& result) {

@@ -187,11 +187,14 @@ HtmlSection provenance_section(const Study& study, const StudyResults& results) 
         {"study", escaped(study.file.string())},
         {"program", escaped("skinfit " + results.version)},
         {"inputs", escaped(fmt::format("{} files, {} cubes", study.files.size(), study.cubes.size()))}};
-    const std::string default_words = fmt::format("as the files state it, else {}", default_noise);
-    for (const char* key : {"edition", "engine", "uncertainty", "noise", "seed"}) {
-        const Json& value = results.configuration.at(key);
-        items.emplace_back(key, escaped(value.is_null() ? default_words : value.dump()));
+    for (const char* key : {"preset", "edition", "engine", "uncertainty", "seed"}) {
+        items.emplace_back(key, escaped(results.configuration.at(key).dump()));
     }
+    const Json& noise = results.configuration.at("noise");
+    items.emplace_back("noise",
+                       escaped(fmt::format("as the files state it, else {}",
+                                           noise.is_null() ? fmt::format("{}", default_noise) : noise.dump())));
+    items.emplace_back("discrepancy", escaped(results.configuration.at("discrepancy").dump()));
     for (const IndexInfo& info : index_table()) {
         items.emplace_back(std::string(info.name), escaped(fmt::format("{} {}", info.meaning, info.source)));
     }

@@ -35,7 +35,7 @@ protected:
 
     void expect_spectrum_refused(const std::string& text, const std::string& words) {
         put("bad.csv", text);
-        expect_refused({"fit", "bad.csv", "--out", "result.txt"}, words);
+        expect_refused({"fit", "bad.csv", "--set", "preset=paper", "--out", "result.txt"}, words);
     }
 
 private:
@@ -97,7 +97,7 @@ TEST_F(BadInput, KeysAndValues) {
     expect_refused({"fit", "good.csv", "--fix", "scale,"}, "--fix: a name is empty");
     expect_refused({"fit", "good.csv", "--out", "good.csv"}, "is a file that is read");
     expect_refused({"fit", "good.csv", "--config", "large.json", "--out", "large.json"}, "");
-    expect_refused({"fit", "good.csv", "--free", "fibril_radius_nm"}, "cannot be adjusted");
+    expect_refused({"fit", "good.csv", "--set", "preset=paper", "--free", "fibril_radius_nm"}, "cannot be adjusted");
     expect_refused({"fit", "good.csv", "--free", "specular_fraction"}, "has no effect");
     expect_refused({"fit", "good.csv", "--set", "engine=walk"}, "set engine=solver");
     expect_refused({"fit", "good.csv", "--free", "fold_aspect_ratio"}, "has no effect");
@@ -127,7 +127,7 @@ TEST_F(BadInput, SlipsAndContradictions) {
     expect_refused({"fit", "good.csv", "--free", "scale", "--fix", "offset,scale"}, "--fix offset,scale: names a");
     expect_refused({"fit", "good.csv", "--solver", "ceres", "--solver", "ceres"}, "given more than once");
     expect_refused({"fit", "good.csv", "--set", "free=scale"}, "free: frees only scale, nothing of the skin");
-    expect_refused({"fit", "good.csv", "--free", "scale", "--fix",
+    expect_refused({"fit", "good.csv", "--set", "preset=paper", "--free", "scale", "--fix",
                     "melanosome_fraction,papillary_blood_fraction,reticular_blood_fraction,oxygen_saturation,"
                     "bilirubin_g_per_l"},
                    "free: frees only scale");

@@ -126,7 +126,8 @@ TEST_F(GoodRuns, WhatIsSimulatedIsFound) {
                             "bilirubin_g_per_l=0.4", "--out", "skin.csv"},
                            geometry));
     // Geometry comes from the comments of the file.
-    const Outcome fit = run({"fit", "skin.csv", "--column", "reflectance", "--set", "rays=2000", "--format", "json"});
+    const Outcome fit = run({"fit", "skin.csv", "--column", "reflectance", "--set", "preset=paper", "--set",
+                             "rays=2000", "--format", "json"});
     const Json json = Json::parse(fit.out);
     EXPECT_EQ(json["configuration"]["incidence_deg"], 45.0);
     EXPECT_EQ(json["configuration"]["specular"], "excluded");

@@ -20,9 +20,9 @@ TEST_F(InstrumentRuns, AFitFindsTheSkinThatWasSimulatedThroughItsBandpass) {
     const Outcome simulated = run({"simulate", "--engine", "solver", "--wavelengths", "450:650:10", "--set",
                                    "bandpass_width_nm=20", "--set", "oxygen_saturation=0.9", "--out", "skin.csv"});
     ASSERT_EQ(simulated.exit_code, 0) << simulated.err;
-    const std::vector<std::string> fit = {"fit",   "skin.csv",      "--column", "reflectance",
-                                          "--set", "engine=solver", "--set",    "noise=0.001",
-                                          "--set", "starts=1",      "--fix",    "bilirubin_g_per_l"};
+    const std::vector<std::string> fit = {
+        "fit",   "skin.csv", "--column", "reflectance",       "--set", "engine=solver", "--set", "noise=0.001",
+        "--set", "starts=1", "--fix",    "bilirubin_g_per_l", "--set", "preset=paper"};
     const Json convolved = json_of(fit);  // the file states the bandpass
     EXPECT_EQ(convolved["configuration"]["bandpass_width_nm"], 20.0);
     // The same solver over the same bands, and all digits in the file: what is left is the step tolerance of the fit,

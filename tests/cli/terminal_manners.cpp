@@ -24,7 +24,7 @@ protected:
     /// Some seconds of work.
     const std::vector<std::string> slow = {"simulate", "--engine", "walk", "--rays", "400000", "--threads", "1"};
     const std::vector<std::string> endless = {"simulate", "--engine", "walk", "--rays", "100000000"};
-    const std::vector<std::string> fit = {"fit", specimen, "--set", "engine=emulator"};
+    const std::vector<std::string> fit = {"fit", specimen, "--set", "preset=paper", "--set", "engine=emulator"};
     static constexpr const char* colour = "\x1b[3";
     static constexpr const char* bar = "[#";
 };

@@ -122,7 +122,7 @@ TEST_F(ValidationRuns, AStudyByTransportRefusesBadOptions) {
     };
     expect_refusal(by_transport({"--intervals", "profile"}), "--intervals: cannot be used here");
     expect_refusal(by_transport({"--cohort", "natrual"}), "natrual");
-    expect_refusal(by_transport({"--port-diameter-mm", "-1"}), "port_diameter_mm: -1");
+    expect_refusal(by_transport({"--port-diameter-mm", "-1"}), "--port-diameter-mm: -1");
     expect_refusal(by_transport({"--set", "viewing_cone_deg=25"}), "viewing_cone_deg");
     put("model.json", R"({"name": "m", "population": {"oxygen_saturation": {"kind": "uniform"}},
                           "groups": [{"name": "a", "subjects": 2}]})");

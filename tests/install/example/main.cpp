@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "fit/fit.hpp"
+#include "fit/preset.hpp"
 #include "fit/report.hpp"
 #include "measurements/text_reader.hpp"
 #include "model/spectrophotometer.hpp"
@@ -18,7 +19,7 @@ int main(int argc, char** argv) try {
     }
     if (argc > 1) {
         const skinfit::Spectrum spectrum = skinfit::read_spectrum(argv[1]);
-        std::cout << text_report(fit_spectrum(skinfit::default_configuration(), spectrum, {}));
+        std::cout << text_report(fit_spectrum(skinfit::measured_configuration(), spectrum, {}));
     }
 } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
