@@ -101,7 +101,7 @@ TEST_F(BadInput, KeysAndValues) {
     expect_refused({"fit", "good.csv", "--free", "specular_fraction"}, "has no effect");
     expect_refused({"fit", "good.csv", "--set", "engine=walk"}, "set engine=solver");
     expect_refused({"fit", "good.csv", "--free", "fold_aspect_ratio"}, "has no effect");
-    expect_refused({"fit", "good.csv", "--set", "bilirubin_g_per_l=20"}, "outside its bounds");
+    expect_refused({"fit", "good.csv", "--set", "dermal_bilirubin_g_per_l=20"}, "outside its bounds");
     expect_refused({"fit", "good.csv", "--set", "layers=2", "--set", "base=hypodermis"}, "base: hypodermis");
     expect_refused({"simulate", "--set", "base=air"}, "hypodermis, matched or a refractive index is needed");
     expect_refused({"fit", "good.csv", "--solver", "cere"}, "--solver: ");

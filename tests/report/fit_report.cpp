@@ -65,7 +65,7 @@ TEST(FitReport, SaysWhyASpectrumHasNoColour) {
 
 TEST(FitReport, MarksWhatIsAtABoundOrNotIdentifiable) {
     const std::string report = report_of(test::example_result());
-    for (const char* remark : {"AT UPPER BOUND", "AT LOWER BOUND", "NOT IDENTIFIABLE", "WEAK"}) {
+    for (const char* remark : {"AT UPPER BOUND", "NONE FOUND", "NOT IDENTIFIABLE", "WEAK"}) {
         EXPECT_TRUE(holds(report, remark)) << remark;
     }
     EXPECT_FALSE(holds(report_of(test::good_result()), "BOUND"));
