@@ -109,7 +109,7 @@ TEST_F(BadInput, KeysAndValues) {
     expect_refused({"simulate", "--engine", "path"}, "--engine: ");
     expect_refused({"simulate", "--rays", "10"}, "--rays: 10 ");
     expect_refused({"simulate", "--seed", "-1"}, "--seed: -1 ");
-    expect_refused({"fit", "good.csv", "--fix",
+    expect_refused({"fit", "good.csv", "--set", "preset=paper", "--fix",
                     "melanosome_fraction,papillary_blood_fraction,reticular_blood_fraction,oxygen_saturation,"
                     "bilirubin_g_per_l"},
                    "free: no parameter is free");
