@@ -6,7 +6,6 @@
 
 #include "fit/configuration_json.hpp"
 #include "fit/named_instrument.hpp"
-#include "fit/preset.hpp"
 
 namespace skinfit {
 namespace {
@@ -27,7 +26,8 @@ void refuse_instrument_files(const Json& json) {
 }  // namespace
 
 Configuration explore_configuration() {
-    Configuration configuration = measured_configuration();
+    Configuration configuration = default_configuration();
+    configuration.engine = Engine::emulator;
     configuration.wavelengths = "400:700:2";  // shows both dips of oxygenated blood, at 542 and 577 nm
     return configuration;
 }

@@ -7,7 +7,8 @@
 
 namespace skinfit {
 
-/// From where the page starts: `measured_configuration`, drawn in steps that show the bands of blood.
+/// From where the page starts: `default_configuration`, fitted by the emulator, which answers while one looks, and
+/// drawn in steps that show the bands of blood.
 [[nodiscard]] Configuration explore_configuration();
 
 /// The configuration that a request states: `base`, changed by `json`. Throws InputError as `configured` does, and for

@@ -31,7 +31,7 @@ Setting preset_setting() {
     return {"preset",
             "what all other settings begin with: skin: priors, noise, discrepancy and free parameters for measured "
             "skin, the "
-            "default of fit, explore and studies of spectra; paper: Table 1 of the paper, the default elsewhere",
+            "default of fit and of studies of spectra; paper: Table 1 of the paper, the default elsewhere",
             {{"enum", preset_names}},
             [](Configuration& configuration, const Json& value, const std::string& where) {
                 configuration =
