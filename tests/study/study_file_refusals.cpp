@@ -145,7 +145,7 @@ TEST_F(StudyRefusals, OfIndicators) {
              "study.json.indicators[0].prevalence: 0.5 cannot be used (it takes the place of what a prior says of a "
              "threshold; here is none); leave it out, or ask about a parameter of the skin above or below a number"},
             {R"({"name": "i", "parameter": "tissue_bilirubin_mg_per_dl", "above": -1, "source": "x"})",
-             "study.json.indicators[0].above: -1 cannot be used (out of range); give a number from 0 to 1e+06"},
+             "study.json.indicators[0].above: -1 cannot be used (out of range); give a number from 0 to 1000000"},
             {R"({"name": "i", "index": "melanin_index", "above": {"same": "subject"}, "source": "x"})",
              "study.json.indicators[0].above: no \"where\" (a reference needs both)" + example},
             {R"({"name": "i", "index": "melanin_index", "above": {"same": "subject", "where": {}}, "source": "x"})",
