@@ -8,7 +8,9 @@ namespace skinfit::test {
 namespace {
 
 FittedParameter adjusted(Parameter parameter) {
-    FittedParameter fitted{.parameter = parameter, .name = std::string(info(parameter).name)};
+    FittedParameter fitted{};
+    fitted.parameter = parameter;
+    fitted.name = info(parameter).name;
     fitted.uncertainty.status = Status::free;
     return fitted;
 }

@@ -24,7 +24,10 @@ struct CalibrationFit {
 };
 
 FittedParameter preset_parameter(Parameter parameter, double value, const Bounds& interval) {
-    FittedParameter fitted{.parameter = parameter, .name = std::string(info(parameter).name), .value = value};
+    FittedParameter fitted{};
+    fitted.parameter = parameter;
+    fitted.name = info(parameter).name;
+    fitted.value = value;
     fitted.bounds = {info(parameter).lower, info(parameter).upper};
     fitted.prior = LogNormalPrior{.median = value, .sigma_log = 1.0};
     fitted.uncertainty.status = Status::free;
