@@ -6,6 +6,7 @@
 #include "core/file.hpp"
 #include "fit/configuration_check.hpp"
 #include "fit/configuration_json.hpp"
+#include "fit/preset.hpp"
 
 namespace skinfit {
 
@@ -27,12 +28,12 @@ void add_config_command(CLI::App& app, Session& session) {
     });
     add_examples(*config->get_subcommand("show"), {"skinfit config show > settings.json", "skinfit config show paper"});
     add_examples(*config->get_subcommand("schema"), {"skinfit config schema > schema.json"});
-    CLI::App* const check = config->add_subcommand("check", "check a configuration file");
+    CLI::App* const check = config->add_subcommand("check", "check a configuration file, as fit takes it");
     const auto file = std::make_shared<std::string>();
     check->add_option("FILE", *file, "JSON file")->required();
     add_examples(*check, {"skinfit config check configs/ncsu_45_0.json"});
     check->callback([file, &session] {
-        check_configuration(configured_by_text(default_configuration(), read_input(*file), *file), *file);
+        check_configuration(configured_by_text(measured_configuration(), read_input(*file), *file), *file);
         write_stdout(fmt::format("{}: good\n", *file));
         session.exit_code = good_result;
     });

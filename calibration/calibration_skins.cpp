@@ -67,15 +67,14 @@ void print_spectra(fmt::ostream& out, const DrawnFamily& family, std::uint64_t n
 }
 
 void write_manifest(const std::vector<DrawnFamily>& drawn, const std::filesystem::path& folder) {
-    constexpr double umol_per_g = 1e6 / 64500;  // [PRAHL98]
     auto out = fmt::output_file((folder / "manifest.csv").string());
     out.print("file,spectrum,instrument,true_dermal_hemoglobin_umol_per_l\n");
     for (const char* const instrument : instruments) {
         std::uint64_t id = 0;
         for (const DrawnFamily& family : drawn) {
             for (const LayeredSkin& skin : family.skins) {
-                const double g_per_l = sampled_blood_fraction(skin) * skin.hemoglobin_g_per_l;
-                out.print("{}.csv,s{:03},{},{:.4g}\n", instrument, id++, instrument, umol_per_g * g_per_l);
+                out.print("{}.csv,s{:03},{},{:.4g}\n", instrument, id++, instrument,
+                          dermal_hemoglobin_umol_per_l(skin));
             }
         }
     }

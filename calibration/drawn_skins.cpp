@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fit/tissue.hpp"
 #include "model/random.hpp"
 
 namespace skinfit {
@@ -16,11 +17,15 @@ double log_between(double low, double high, double xi) {
     return low * std::pow(high / low, xi);
 }
 
-/// The mean of a quantity of the two layers of the dermis over the depths that green light samples.
-double sampled_share(const LayeredSkin& skin) {
-    constexpr double depth_cm = 0.03;  // of fit/tissue.cpp
-    const double dermis_cm = skin.papillary_dermis_thickness_cm + skin.reticular_dermis_thickness_cm;
-    return std::expm1(-skin.papillary_dermis_thickness_cm / depth_cm) / std::expm1(-dermis_cm / depth_cm);
+/// `dermal_hemoglobin_umol_per_l` where the two layers of the dermis hold these fractions of blood.
+double dermal_hemoglobin(const LayeredSkin& layered, double papillary, double reticular) {
+    Skin skin;
+    skin.papillary_dermis_thickness_cm = layered.papillary_dermis_thickness_cm;
+    skin.reticular_dermis_thickness_cm = layered.reticular_dermis_thickness_cm;
+    skin.hemoglobin_g_per_l = layered.hemoglobin_g_per_l;
+    skin.papillary_blood_fraction = papillary;
+    skin.reticular_blood_fraction = reticular;
+    return find_tissue_quantity("dermal_hemoglobin_umol_per_l")->value(skin);
 }
 
 LayeredSkin drawn_layers(const RandomRay& random) {
@@ -44,8 +49,8 @@ LayeredSkin drawn_skin(LayeredSkin skin, const RandomRay& random) {
     skin.melanosome_fraction = log_between(0.005, 0.4, first[2]);
     const double ratio =
         std::exp(spread * std::sqrt(-2.0 * std::log(second[0])) * std::cos(2.0 * std::numbers::pi * second[1]));
-    const double share = sampled_share(skin);
-    skin.reticular_blood_fraction = log_between(0.003, 0.15, first[3]) / (share * ratio + 1.0 - share);
+    const double evenly = dermal_hemoglobin(skin, 1.0, 1.0);
+    skin.reticular_blood_fraction = log_between(0.003, 0.15, first[3]) * evenly / dermal_hemoglobin(skin, ratio, 1.0);
     skin.papillary_blood_fraction = ratio * skin.reticular_blood_fraction;
     skin.oxygen_saturation = between(0.2, 0.98, second[2]);
     skin.dermal_bilirubin_g_per_l = second[3] < 1.0 / 3.0 ? 0.0 : log_between(0.002, 0.3, third[0]);
@@ -68,9 +73,8 @@ std::vector<DrawnFamily> drawn_families(std::uint64_t families, std::uint64_t ea
     return drawn;
 }
 
-double sampled_blood_fraction(const LayeredSkin& skin) {
-    const double share = sampled_share(skin);
-    return share * skin.papillary_blood_fraction + (1.0 - share) * skin.reticular_blood_fraction;
+double dermal_hemoglobin_umol_per_l(const LayeredSkin& skin) {
+    return dermal_hemoglobin(skin, skin.papillary_blood_fraction, skin.reticular_blood_fraction);
 }
 
 }  // namespace skinfit

@@ -25,8 +25,7 @@ struct DrawnFamily {
 /// The same for the same seed.
 [[nodiscard]] std::vector<DrawnFamily> drawn_families(std::uint64_t families, std::uint64_t each, std::uint64_t seed);
 
-/// The mean of the blood fractions over the dermis, weighted by exp(-depth / 0.03 cm) from its top, as
-/// `dermal_hemoglobin_umol_per_l` has it.
-[[nodiscard]] double sampled_blood_fraction(const LayeredSkin& skin);
+/// What a fit calls so (`tissue_quantities`), of a skin that is known.
+[[nodiscard]] double dermal_hemoglobin_umol_per_l(const LayeredSkin& skin);
 
 }  // namespace skinfit

@@ -33,7 +33,8 @@ std::string parameter_description(const ParameterInfo& info) {
     std::string text = fmt::format("{}: parameter\n  {}\n", info.name, info.meaning);
     const double of_paper = value_of(default_configuration().values, info.parameter);
     const double of_skin = value_of(measured_configuration().values, info.parameter);
-    const std::string other = of_skin == of_paper ? "" : fmt::format("; preset skin: {:g}", of_skin);
+    const std::string other =
+        of_skin == of_paper ? "" : fmt::format("; preset skin: {}", with_unit(fmt::format("{:g}", of_skin), info.unit));
     text += row("default", with_unit(fmt::format("{:g}", of_paper), info.unit) + other);
     text += range_row("fit bounds", info.lower, info.upper, info.unit, info.source);
     text += range_row("limits", info.lowest, info.highest, info.unit);

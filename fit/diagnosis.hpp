@@ -18,7 +18,7 @@ inline constexpr double improbable = 1e-3;
 
 /// The 99 % quantile of `FitResult::departure_rms` over the discrepancy's sigma: of 2352 spectra of [COOKSEY17],
 /// [XIAO16] and [VRHEL94] fitted with preset skin.
-inline constexpr double largest_usual_departure = 1.55;
+inline constexpr double largest_usual_departure = 1.47;
 
 /// Judges a result by its other fields.
 /// Failed where the cost could still fall (`Minimum::converged`): a flat direction is no failure.

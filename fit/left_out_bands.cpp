@@ -31,8 +31,7 @@ LinearFit linear_fit(const Objective& objective, std::span<const double> values)
     const auto rows = static_cast<Index>(objective.reading_count());
     const auto columns = static_cast<Index>(objective.free_count());
     const Objective::Modelled modelled = objective.model(values);
-    const Misfit misfit = objective.misfit(values);
-    const Index priors = misfit.residual.size() - rows;
+    const Misfit priors = objective.prior_misfit(values);
     VectorXd width(columns);
     VectorXd position(columns);
     for (Index i = 0; i < columns; ++i) {
@@ -44,8 +43,8 @@ LinearFit linear_fit(const Objective& objective, std::span<const double> values)
     return {.difference = modelled.reading - Eigen::Map<const VectorXd>(measurement.measured.data(), rows),
             .jacobian = modelled.jacobian * width.asDiagonal(),
             .covariance = covariance_of(measurement.wavelength_nm, measurement.sigma, problem.discrepancy),
-            .prior_residual = misfit.residual.tail(priors),
-            .prior_jacobian = misfit.jacobian.bottomRows(priors) * width.asDiagonal(),
+            .prior_residual = priors.residual,
+            .prior_jacobian = priors.jacobian * width.asDiagonal(),
             .lowest_step = -position,
             .highest_step = VectorXd::Ones(columns) - position};
 }

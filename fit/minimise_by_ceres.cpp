@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "fit/minimum.hpp"
+#include "fit/step_tolerance.hpp"
 
 namespace skinfit {
 namespace {
@@ -129,7 +130,7 @@ ceres::Solver::Options solver_options() {
     options.max_num_iterations = 400;    // curved valleys take hundreds of short steps
     options.function_tolerance = 1e-10;  // of the cost, relative
     options.gradient_tolerance = 1e-12;
-    options.parameter_tolerance = 1e-9;  // of the unit box
+    options.parameter_tolerance = step_tolerance;
     options.logging_type = ceres::SILENT;
     options.num_threads = 1;  // the ensemble spreads over threads itself
     options.update_state_every_iteration = true;

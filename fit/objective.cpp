@@ -74,7 +74,6 @@ Misfit Objective::misfit(std::span<const double> values) const {
     return misfit;
 }
 
-/// The rows of the priors alone.
 Misfit Objective::prior_misfit(std::span<const double> values) const {
     const auto rows = static_cast<Index>(residual_count() - reading_count());
     const auto columns = static_cast<Index>(free_count());

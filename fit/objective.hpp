@@ -60,6 +60,9 @@ public:
     /// uncertainty uses this. A residual is infinite where a prior has no density.
     [[nodiscard]] Misfit misfit(std::span<const double> values) const;
 
+    /// The rows of the priors alone.
+    [[nodiscard]] Misfit prior_misfit(std::span<const double> values) const;
+
     /// (modelled - measured) of a reading, whitened by the noise model: of unit variance where the model is right.
     [[nodiscard]] Eigen::VectorXd residuals(const Eigen::VectorXd& reading) const;
 
@@ -85,8 +88,6 @@ public:
 private:
     [[nodiscard]] Eigen::MatrixXd weighted_and_whitened(const Eigen::MatrixXd& changes) const;
     [[nodiscard]] Eigen::VectorXd differences(const Eigen::VectorXd& reading) const;
-    [[nodiscard]] Misfit prior_misfit(std::span<const double> values) const;
-
     const FitProblem* problem_;
     std::vector<MeasurementModel> models_;
     std::vector<NoiseModel> noise_;        // one per measurement

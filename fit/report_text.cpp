@@ -150,7 +150,7 @@ std::string model_text(const FitResult& result) {
     if (configuration.preset == Preset::skin) {
         text +=
             "known error of preset skin: on skin of another physics oxygen saturation is off by 0.06 to 0.09 on "
-            "average, and more hemoglobin in the dermis ranks higher but is no absolute amount; see docs/skin.md\n";
+            "average; see docs/skin.md\n";
     }
     if (result.spectra.size() == 1) text += fmt::format("instrument: {}\n", instrument_words(configuration));
     return text + fmt::format("skinfit {}, research software, not a medical device\n", version);

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "fit/chain_statistics.hpp"
+#include "fit/critical_values.hpp"
 #include "fit/tissue_calibration.hpp"
 #include "model/chromophores.hpp"
 
@@ -119,7 +120,7 @@ std::optional<Bounds> interval_of(const FitResult& result, const Definition& def
     const std::optional<Changes> changes = changes_of(result, definition, value);
     if (!changes) return std::nullopt;
     const auto together = [&](const Eigen::VectorXd& each) {
-        const double model = 1.96 * definition.model_error;
+        const double model = normal_95 * definition.model_error;
         return std::sqrt(std::max(0.0, each.dot(result.correlation * each)) + model * model);
     };
     const double lower = changes->lowered.allFinite() ? value * std::exp(-together(changes->lowered)) : 0.0;

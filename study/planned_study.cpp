@@ -84,7 +84,7 @@ Json assessments(const Cohort& cohort) {
 
 /// The preset for measured skin, told how the spectra were measured and nothing of the skin.
 Configuration fit_of_another_physics(const Cohort& cohort) {
-    Configuration fit = with_preset(default_configuration(), Preset::skin);
+    Configuration fit = measured_configuration();
     const Configuration& made = cohort.configuration;
     fit.instrument = made.instrument;
     fit.incidence_deg = made.incidence_deg;

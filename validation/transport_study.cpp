@@ -63,9 +63,7 @@ Json shared_out(const Json& groups, std::uint64_t spectra) {
 double truth_of(std::size_t place, const SimulatedSubject& subject) {
     if (place != hemoglobin_place)
         return value_of(subject.values, find_parameter(shared_quantity_names[place]).value());
-    const auto quantities = tissue_quantities();
-    return std::ranges::find(quantities, shared_quantity_names[place], &TissueQuantity::name)
-        ->value(subject.values.skin);
+    return find_tissue_quantity(shared_quantity_names[place])->value(subject.values.skin);
 }
 
 std::optional<TransportFit::Estimate> estimate_of(std::size_t place, const FitResult& result) {

@@ -118,11 +118,11 @@ TEST_F(BadInput, KeysAndValues) {
 TEST_F(BadInput, SlipsAndContradictions) {
     put("twice.json", R"({"seed": 1, "parameters": {"scale": 1}, "seed": 2})");
     put("misplaced.json", R"({"melanosome_fraction": 0.1})");
-    put("start.json", R"({"parameters": {"bilirubin_g_per_l": 20}})");
+    put("start.json", R"({"parameters": {"dermal_bilirubin_g_per_l": 20}})");
     put("outside.json", R"({"wavelengths": "400:900:10"})");
     expect_refused({"config", "check", "twice.json"}, "gives \"seed\" twice");
     expect_refused({"config", "check", "misplaced.json"}, R"(write "parameters": {"melanosome_fraction": ...})");
-    expect_refused({"config", "check", "start.json"}, "bilirubin_g_per_l: starts at 20, outside its bounds");
+    expect_refused({"config", "check", "start.json"}, "dermal_bilirubin_g_per_l: starts at 20, outside its bounds");
     expect_refused({"config", "check", "outside.json"}, "wavelengths: 400 to 900 nm reaches outside the tables");
     expect_refused({"fit", "good.csv", "--free", "scale", "--fix", "offset,scale"}, "--fix offset,scale: names a");
     expect_refused({"fit", "good.csv", "--solver", "ceres", "--solver", "ceres"}, "given more than once");

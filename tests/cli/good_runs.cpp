@@ -3,6 +3,7 @@
 
 #include "core/json.hpp"
 #include "core/text.hpp"
+#include "fit/step_tolerance.hpp"
 #include "tests/cli/cli_test.hpp"
 
 namespace skinfit::test {
@@ -131,13 +132,13 @@ TEST_F(GoodRuns, WhatIsSimulatedIsFound) {
     const Json json = Json::parse(fit.out);
     EXPECT_EQ(json["configuration"]["incidence_deg"], 45.0);
     EXPECT_EQ(json["configuration"]["specular"], "excluded");
-    // The same walks, and all digits in the file: what is left is the solver's step tolerance, 1e-9 of the bounds.
+    // The same walks, and all digits in the file: what is left is the step tolerance of the search.
     for (const auto& [name, value] :
          {std::pair{"melanosome_fraction", 0.1}, std::pair{"oxygen_saturation", 0.6},
           std::pair{"bilirubin_g_per_l", 0.4}, std::pair{"papillary_blood_fraction", 0.012}}) {
         const Json& found = json["parameters"][name];
         const double width = found["upper"].get<double>() - found["lower"].get<double>();
-        EXPECT_NEAR(found["value"].get<double>(), value, 1e-9 * width) << name;
+        EXPECT_NEAR(found["value"].get<double>(), value, step_tolerance * width) << name;
     }
 }
 

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "core/json.hpp"
+#include "fit/step_tolerance.hpp"
 #include "tests/cli/cli_test.hpp"
 
 namespace skinfit::test {
@@ -27,7 +28,7 @@ TEST_F(InstrumentRuns, AFitFindsTheSkinThatWasSimulatedThroughItsBandpass) {
     EXPECT_EQ(convolved["configuration"]["bandpass_width_nm"], 20.0);
     // The same solver over the same bands, and all digits in the file: what is left is the step tolerance of the fit,
     // 1e-9 of the bounds, which are 0 and 1.
-    EXPECT_NEAR(convolved["parameters"]["oxygen_saturation"]["value"].get<double>(), 0.9, 1e-9);
+    EXPECT_NEAR(convolved["parameters"]["oxygen_saturation"]["value"].get<double>(), 0.9, step_tolerance);
     std::vector<std::string> without = fit;
     without.insert(without.end(), {"--set", "bandpass_width_nm=0"});
     const Json unconvolved = json_of(without);
